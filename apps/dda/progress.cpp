@@ -14,8 +14,8 @@ Progress::Progress(int steps, bool quiet)
 
 void Progress::show(const ddacontact::Stepper& stepper) {
   const ddacontact::StepCounts& counts = stepper.counts();
-  const long iterations = counts.open_close_iterations - iterations_before_;
-  iterations_before_ = counts.open_close_iterations;
+  const long iterations = counts.contact_iterations - iterations_before_;
+  iterations_before_ = counts.contact_iterations;
   if (quiet_) return;
   const auto now = Clock::now();
   const bool last = counts.steps == steps_;

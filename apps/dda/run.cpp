@@ -142,7 +142,7 @@ int finish(const RunArguments& arguments, const Stepper& stepper, const RunSumma
       "{}: {} steps, time {:.6g} s, {} substeps, {} rejected, {} unconverged, {} contact iterations, {} "
       "contacts",
       summary.status, counts.steps, stepper.state().time, counts.substeps, counts.rejected,
-      counts.unconverged, counts.open_close_iterations, counts.contacts);
+      counts.unconverged, counts.contact_iterations, counts.contacts);
   log.info("{}", outcome);
   log.info(
       "{} interior-point solves, {} augmentations, {} broken bonds, {} impacts ({} limited, {} "

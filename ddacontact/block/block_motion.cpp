@@ -30,7 +30,7 @@ typename Of::Vectors BlockMotion::times_stiffness(const typename Of::Vectors& u)
 }
 
 template <class Work>
-auto BlockMotion::with_motion(const Numbers& d, const Work& work) const {
+auto BlockMotion::with_motion(const VectorIn& d, const Work& work) const {
   return with_nodes(shape_, [&]<class Of>(const NodalKinematics<Of>& nodes) {
     return work(nodes, velocities<Of>(nodes.to_nodes(d)));
   });
@@ -49,8 +49,8 @@ BlockMotion::BlockMotion(const CorotationalShape& shape, const CorotationalStart
       leverage_(start.arrays[about_centre][1]),
       turn_(turned_to(start.arrays[axis_now])) {}
 
-void BlockMotion::begin(const CorotationalShape& shape, const Numbers& coordinates, const Numbers& velocity,
-                        const Numbers& initial, CorotationalStart& start) {
+void BlockMotion::begin(const CorotationalShape& shape, const VectorIn& coordinates, const VectorIn& velocity,
+                        const VectorIn& initial, CorotationalStart& start) {
   const MotionShape& motions = shape.motions();
   const Index m = motions.n_nodes();
   assert(coordinates.size() == BlockState::n_rigid + 2 * m && coordinates.allFinite());
@@ -82,7 +82,7 @@ void BlockMotion::begin(const CorotationalShape& shape, const Numbers& coordinat
   });
 }
 
-void BlockMotion::forces(const Numbers& d, Written resisting) const {
+void BlockMotion::forces(const VectorIn& d, VectorOut resisting) const {
   with_motion(d, [&]<class Of>(const NodalKinematics<Of>& nodes, const Velocities<Of>& way) {
     using Vectors = typename Of::Vectors;
     const MotionShape& motions = shape_.motions();
@@ -104,7 +104,7 @@ void BlockMotion::forces(const Numbers& d, Written resisting) const {
   });
 }
 
-void BlockMotion::free_path(Written d) const {
+void BlockMotion::free_path(VectorOut d) const {
   with_nodes(shape_, [&]<class Of>(const NodalKinematics<Of>& nodes) {
     using Vectors = typename Of::Vectors;
     const Vectors rates = angular_before_ * left_of_shape<Of>() + array<Of>(deforming);
@@ -114,7 +114,7 @@ void BlockMotion::free_path(Written d) const {
   });
 }
 
-void BlockMotion::displacement(const Numbers& d, Written displaced) const {
+void BlockMotion::displacement(const VectorIn& d, VectorOut displaced) const {
   with_motion(d, [&]<class Of>(const NodalKinematics<Of>& nodes, const Velocities<Of>& way) {
     using Vectors = typename Of::Vectors;
     Vectors moved =
@@ -125,7 +125,7 @@ void BlockMotion::displacement(const Numbers& d, Written displaced) const {
   });
 }
 
-double BlockMotion::stored_energy(const Numbers& d) const {
+double BlockMotion::stored_energy(const VectorIn& d) const {
   return with_motion(d, [&]<class Of>(const NodalKinematics<Of>&, const Velocities<Of>& way) {
     using Vectors = typename Of::Vectors;
     const Vectors middle = array<Of>(shape_now) - shape_.motions().nodes + way.deformation / 2;
@@ -135,7 +135,7 @@ double BlockMotion::stored_energy(const Numbers& d) const {
   });
 }
 
-BlockMotion::Losses BlockMotion::losses(const Numbers& d) const {
+BlockMotion::Losses BlockMotion::losses(const VectorIn& d) const {
   return with_motion(d, [&]<class Of>(const NodalKinematics<Of>& nodes, const Velocities<Of>& way) {
     using Vectors = typename Of::Vectors;
     const double mass = shape_.motions().mass;
@@ -161,15 +161,15 @@ BlockMotion::Losses BlockMotion::losses(const Numbers& d) const {
   });
 }
 
-Vec3 BlockMotion::resultant(const Numbers& d) const {
+Vec3 BlockMotion::resultant(const VectorIn& d) const {
   return with_motion(d, [&]<class Of>(const NodalKinematics<Of>&, const Velocities<Of>& way) {
     const Vec2 force = shape_.motions().mass / impulse_time_ * (way.linear / dt_ - linear_before_);
     return Vec3(force.x(), force.y(), inertia_ / impulse_time_ * (way.angular / dt_ - angular_before_));
   });
 }
 
-void BlockMotion::end(const Numbers& d, const Numbers& external, Written coordinates,
-                      Eigen::Ref<Points> points, Written velocity) const {
+void BlockMotion::end(const VectorIn& d, const VectorIn& external, VectorOut coordinates,
+                      Eigen::Ref<Points> points, VectorOut velocity) const {
   with_motion(d, [&]<class Of>(const NodalKinematics<Of>& nodes, Velocities<Of> way) {
     using Vectors = typename Of::Vectors;
     const MotionShape& motions = shape_.motions();

@@ -17,41 +17,41 @@ namespace ddacontact {
 /// A step that was begun: a view of what CorotationalStart keeps of its start.
 class BlockMotion {
  public:
-  using Numbers = Eigen::Ref<const VectorXd>;
-  using Written = Eigen::Ref<VectorXd>;
+  using VectorIn = Eigen::Ref<const VectorXd>;
+  using VectorOut = Eigen::Ref<VectorXd>;
 
   /// Writes `start`, whose matrices are there.
   /// \param[in] coordinates  of the block, see BlockState::coordinates
   /// \param[in] velocity     of its unknowns in the middle of the step before
   /// \param[in] initial      forces of the stress at rest on the nodes, in the block's frame; empty: none
-  static void begin(const CorotationalShape& shape, const Numbers& coordinates, const Numbers& velocity,
-                    const Numbers& initial, CorotationalStart& start);
+  static void begin(const CorotationalShape& shape, const VectorIn& coordinates, const VectorIn& velocity,
+                    const VectorIn& initial, CorotationalStart& start);
   BlockMotion(const CorotationalShape& shape, const CorotationalStart& start);
 
   /// External forces on the unknowns under which the motion is d, N per m.
-  void forces(const Numbers& d, Written resisting) const;
+  void forces(const VectorIn& d, VectorOut resisting) const;
   /// The straight motion without any forces.
-  void free_path(Written d) const;
+  void free_path(VectorOut d) const;
   /// Displacements of the unknowns after a straight motion.
-  void displacement(const Numbers& d, Written displaced) const;
+  void displacement(const VectorIn& d, VectorOut displaced) const;
   /// Energy that a straight motion stores in the block, J per m.
-  double stored_energy(const Numbers& d) const;
+  double stored_energy(const VectorIn& d) const;
   /// Energy taken by Rayleigh damping, and by the scheme from the work of elastic forces and of inertia
   /// before the change of kinetic energy is taken off, J per m.
   struct Losses {
     double damping = 0, scheme = 0;
   };
-  Losses losses(const Numbers& d) const;
+  Losses losses(const VectorIn& d) const;
   /// Mass and moment of inertia times the accelerations, N and N m per m.
-  Vec3 resultant(const Numbers& d) const;
+  Vec3 resultant(const VectorIn& d) const;
 
   /// Writes the block after the step: its coordinates (those at the start are given) and points, and the
   /// velocities of its unknowns on that shape in the middle of the step; the angular momentum is that of the
   /// step.
   /// \param[in] external  all forces on the unknowns of a free block, which takes its momenta from them: what
   ///                      is left of them in d has the solution's error; empty: it has supports
-  void end(const Numbers& d, const Numbers& external, Written coordinates, Eigen::Ref<Points> points,
-           Written velocity) const;
+  void end(const VectorIn& d, const VectorIn& external, VectorOut coordinates, Eigen::Ref<Points> points,
+           VectorOut velocity) const;
 
   /// R at the start.
   const Mat2& turn() const { return turn_; }
@@ -70,7 +70,7 @@ class BlockMotion {
   typename Of::Vectors times_stiffness(const typename Of::Vectors& u) const;
   /// velocities, and work(nodes, velocities of d, in m and rad a step)
   template <class Work>
-  auto with_motion(const Numbers& d, const Work& work) const;
+  auto with_motion(const VectorIn& d, const Work& work) const;
 
   /// Entries of the start, two numbers each: vc before; (omega before, 0); (Z M Z, X M Z) with Z = X + u; the
   /// first column of R.

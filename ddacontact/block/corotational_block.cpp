@@ -174,7 +174,7 @@ void CorotationalBlock::end_step(const Eigen::Ref<const VectorXd>& d,
   const Range &u = unknowns(), &p = points();
   if (const auto by_motions = motion()) {
     const VectorXd none;
-    const BlockMotion::Numbers forces = is_free ? external : BlockMotion::Numbers(none);
+    const BlockMotion::VectorIn forces = is_free ? external : BlockMotion::VectorIn(none);
     auto points = p.columns_of(next.position);
     auto velocity = u.of(next.carried);
     if (next.coordinates.size() > 0) {

@@ -13,7 +13,7 @@ namespace ddacontact {
 
 /// Coefficients of the time scheme.
 struct StepRule {
-  Scheme scheme = Scheme::dda;
+  Scheme scheme = standard_defaults.scheme;
   double beta = 0.5, gamma = 1;  ///< of the Newmark family; midpoint has an inertia of (1/2, 1)
   RayleighDamping damping;
   /// With half steps: the time h in which impulses act, from the middle of the step before to that of

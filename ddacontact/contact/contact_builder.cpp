@@ -19,7 +19,7 @@
 namespace ddacontact {
 
 /// Pairs of blocks are looked for so many search margins further than they have to be.
-constexpr double skin_of_reach = 4;
+constexpr double skin_of_margin = 4;
 /// What one thread works on at a time.
 constexpr Index of_range = 256;
 
@@ -56,7 +56,7 @@ void ContactBuilder::find_pairs(const BlockState& state) {
     for (int b = static_cast<int>(begin); b < end; ++b) {
       outlines_.set(b, blocks_.block(b).outline(state));
       boxes_[b] = shifted(widened(outlines_[b].box, search_margin_[b]), state.origin.col(b));
-      if (keeps_pairs_) margins_[b] = skin_of_reach * search_margin_[b];
+      if (keeps_pairs_) margins_[b] = skin_of_margin * search_margin_[b];
     }
   };
   polyfem::for_ranges(n, of_range, std::ref(check_blocks));
@@ -246,9 +246,8 @@ ContactBuilder::Kinship ContactBuilder::kinship(const BlockState& state, const V
   if (old == pair) return Kinship::same;
   const auto edge_outline = blocks_.block(pair.edge_block).outline(state);
   if (old.vertex_block == pair.vertex_block && old.vertex == pair.vertex && !old.corner && !pair.corner &&
-      (goes_straight_on(edge_outline, old.edge, pair.edge) ||
-       goes_straight_on(edge_outline, pair.edge, old.edge)))
-    return Kinship::straight_on;
+      (are_collinear(edge_outline, old.edge, pair.edge) || are_collinear(edge_outline, pair.edge, old.edge)))
+    return Kinship::collinear;
   const double size = pair_size(pair.vertex_block, pair.edge_block);
   return exchange_vertices(blocks_, state, near_corner * size, old, pair) ? Kinship::exchanged
                                                                           : Kinship::none;

@@ -111,7 +111,7 @@ class ContactBuilder {
                    const std::vector<ContactRecord>& previous, std::vector<Contact>& contacts);
   /// Relation of a contact to one of the step before, the nearest first: the same; its vertex with an edge
   /// that is collinear with its own; where vertex meets vertex, the other vertex with this one's edge.
-  enum class Kinship { same, straight_on, exchanged, none };
+  enum class Kinship { same, collinear, exchanged, none };
   Kinship kinship(const BlockState& state, const VertexEdge& old, const VertexEdge& pair) const;
   /// The contact of `pair` with the history of its predecessor.
   ///

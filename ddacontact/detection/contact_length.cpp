@@ -19,7 +19,7 @@ ContactLength contact_length(const PointsRef& vertex_polygon, const PointsRef& e
   const auto end_of_face = [&](const PointsRef& polygon, int block, int edge, bool forth) {
     for (int at = edge;;) {
       const int end = forth ? next(at, polygon) : at, on = forth ? end : previous(at, polygon);
-      const bool goes_on = forth ? goes_straight_on(polygon, at, on) : goes_straight_on(polygon, on, at);
+      const bool goes_on = forth ? are_collinear(polygon, at, on) : are_collinear(polygon, on, at);
       if (!goes_on || bears(block, end)) return end;
       at = on;
     }

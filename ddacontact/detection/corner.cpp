@@ -21,7 +21,7 @@ Corner corner_at(const PointsRef& polygon, int vertex) {
   return turn_between(along(polygon, previous(vertex, polygon)), along(polygon, vertex));
 }
 
-bool goes_straight_on(const PointsRef& polygon, int from, int to) {
+bool are_collinear(const PointsRef& polygon, int from, int to) {
   const Vec2 first = along(polygon, from);
   for (int e = from; e != to;) {
     const Vec2 before = along(polygon, e);

@@ -36,7 +36,7 @@ Corner corner_at(const PointsRef& polygon, int vertex);
 
 /// Whether the edges from `from` to `to`, both included, are collinear: straight corners, and
 /// no edge in a direction more than 3 degrees from that of `from`.
-bool goes_straight_on(const PointsRef& polygon, int from, int to);
+bool are_collinear(const PointsRef& polygon, int from, int to);
 
 /// Whether it turns left from edge `from` to edge `to`, by no reflex corner and by no more than about half a
 /// turn: a point beyond both edges can enter through one of them only.

@@ -219,7 +219,7 @@ struct Entrances {
   /// Of edges that are collinear the vertex is over one.
   void keep_nearest_of_straight_runs() {
     const auto joined = [this](const Candidate& p, const Candidate& q) {
-      return goes_straight_on(b.vertices, p.contact.edge, q.contact.edge);
+      return are_collinear(b.vertices, p.contact.edge, q.contact.edge);
     };
     std::size_t last = 0;
     for (std::size_t k = 1; k < near.size(); ++k) {
@@ -292,7 +292,7 @@ struct Entrances {
     while (first != to && corner_at(polygon, next(first, polygon)) == Corner::straight)
       first = next(first, polygon);
     if (first == to || corner_at(polygon, next(first, polygon)) != Corner::reflex) return false;
-    return goes_straight_on(polygon, next(first, polygon), to);
+    return are_collinear(polygon, next(first, polygon), to);
   }
 };
 

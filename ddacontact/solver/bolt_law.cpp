@@ -26,7 +26,7 @@ struct Bar {
   std::vector<ClippedSpring> springs{};  ///< of segments, then of bonds; their force is -N and -T
 
   BoltForces solve() {
-    look();
+    evaluate();
     for (int solutions = 0; n_slips > 0 && solutions < most_solutions; ++solutions)
       if (!improve()) break;
     return forces();
@@ -45,11 +45,11 @@ struct Bar {
             strength};
   }
   /// Where all bonds slip the bar stays where it was: by a spring that only shows there.
-  double keeping(int i) const {
+  double regularization(int i) const {
     return std::sqrt(std::numeric_limits<double>::epsilon()) * bond_stiffness(i);
   }
 
-  void look() {
+  void evaluate() {
     springs.clear();
     for (int k = 0; k < n_segments; ++k) springs.push_back(segment_spring(k));
     for (int i = 0; i < n_slips; ++i) springs.push_back(bond_spring(i));
@@ -66,7 +66,7 @@ struct Bar {
   /// Derivatives by the slips: of the potential, and of its gradient.
   VectorXd gradient() const {
     VectorXd g(n_slips);
-    for (int i = 0; i < n_slips; ++i) g[i] = force(n_segments + i) + keeping(i) * (slip[i] - start[i]);
+    for (int i = 0; i < n_slips; ++i) g[i] = force(n_segments + i) + regularization(i) * (slip[i] - start[i]);
     for (int k = 0; k < n_segments; ++k) {
       g[k] -= force(k);
       g[k + 1] += force(k);
@@ -77,7 +77,7 @@ struct Bar {
   MatrixXd solve_for_slips(MatrixXd b) const {
     VectorXd pivot(n_slips);
     for (int i = 0; i < n_slips; ++i) {
-      pivot[i] = stiffness(n_segments + i) + keeping(i);
+      pivot[i] = stiffness(n_segments + i) + regularization(i);
       for (int k : {i - 1, i})
         if (k >= 0 && k < n_segments) pivot[i] += stiffness(k);
       if (i == 0) continue;
@@ -98,7 +98,7 @@ struct Bar {
     const std::vector<int> before = pieces();
     slip += step;
     const std::vector<ClippedSpring> springs_before = springs;
-    look();
+    evaluate();
     if (pieces() == before) return false;
     LineSearch along;
     for (int k = 0; k < n_segments; ++k)
@@ -106,11 +106,11 @@ struct Bar {
     double slope = 0, bend = 0;
     for (int i = 0; i < n_slips; ++i) {
       along.add(springs_before[n_segments + i], step[i]);
-      slope += keeping(i) * (from[i] - start[i]) * step[i];
-      bend += keeping(i) * step[i] * step[i];
+      slope += regularization(i) * (from[i] - start[i]) * step[i];
+      bend += regularization(i) * step[i] * step[i];
     }
     slip = from + along.find_minimum(slope, bend) * step;
-    look();
+    evaluate();
     return true;
   }
 

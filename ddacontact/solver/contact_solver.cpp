@@ -32,6 +32,8 @@ constexpr double stale_factor_gain = 0.1;
 /// Solutions without a smaller residual after which an accepted one is final, and after which states are
 /// left.
 constexpr int patience = 4, most_in_vain = 12;
+/// Changes of the active set from which on the accepted residual is what is aimed at.
+constexpr int changes_until_accepted = patience;
 /// Residual target, as a fraction of the round-off bound.
 constexpr double round_off_target = 0.05;
 
@@ -80,7 +82,7 @@ struct ContactSolver {
       contacts.take_states_of_forces();
       states = contacts.law_states();
     }
-    look();
+    evaluate();
     system.problem().contacts_changed();
     while (true) {
       if (!std::isfinite(report.residual.block_relative) || !std::isfinite(report.residual.largest))
@@ -104,7 +106,7 @@ struct ContactSolver {
   }
 
   /// Geometry, terms, forces and residual at d.
-  void look() {
+  void evaluate() {
     contacts.evaluate(d);
     contacts.find_springs(d);
     evaluate_states();
@@ -138,7 +140,7 @@ struct ContactSolver {
   void restart() {
     states = contacts.law_states();
     begin_states();
-    look();
+    evaluate();
     acceleration.reset();
     interior_point_done = false;
   }
@@ -156,7 +158,7 @@ struct ContactSolver {
   /// What the forces of the law may leave where they differ from those of the states: more when these have
   /// changed so often.
   double aim_of_states() const {
-    return changes >= patience ? options.residual_tolerance : options.residual_aim;
+    return changes >= changes_until_accepted ? options.residual_tolerance : options.residual_aim;
   }
 
   /// The state to try next. Near a solution a contact that sticks while it is pulled slides before it opens:
@@ -235,7 +237,7 @@ struct ContactSolver {
     system.move(moved - d, d);
     ++report.iterations;
     ++solutions_of_states;
-    look();
+    evaluate();
     return true;
   }
 
@@ -266,7 +268,7 @@ struct ContactSolver {
     report.interior_solutions += found.solutions;
     report.tangent.fallbacks += found.fallbacks;
     begin_states();
-    look();
+    evaluate();
     if (!found.found) failure = SolutionStatus::not_positive_definite;
     return found.found;
   }

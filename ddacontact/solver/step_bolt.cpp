@@ -70,7 +70,7 @@ Vec2 StepBolt::displacement(int node, const VectorXd& displaced) const {
   return u;
 }
 
-void StepBolt::look(const VectorXd& displaced) {
+void StepBolt::evaluate(const VectorXd& displaced) {
   elongation_ = VectorXd::Zero(bolt_->n_segments());
   for (int k = 0; k < bolt_->n_segments(); ++k) {
     Segment& segment = segments_[k];

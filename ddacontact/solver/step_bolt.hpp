@@ -29,7 +29,7 @@ class StepBolt {
   /// Sets the segments that its forces act along, from `begin` on.
   void act_along(Directions directions) { directions_ = directions; }
   /// Finds its forces where its unknowns are displaced so, by all unknowns.
-  void look(const VectorXd& displaced);
+  void evaluate(const VectorXd& displaced);
   /// Force of the bolt on a node where it was evaluated last, N per m.
   Vec2 force_on(int node) const;
   /// F += its forces on all unknowns.

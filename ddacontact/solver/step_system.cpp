@@ -246,7 +246,7 @@ const std::vector<StepBolt>& StepSystem::bolts_at(const VectorXd& d) const {
       const Range& u = blocks_.block(b).unknowns();
       if (!blocks_.is_unchanging(b)) blocks_.block(b).displacement(u.of(d), u.of(displaced));
     }
-    bolt.look(displaced);
+    bolt.evaluate(displaced);
   }
   return work_.bolts;
 }

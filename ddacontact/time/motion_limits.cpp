@@ -9,7 +9,7 @@
 namespace ddacontact {
 
 /// Parts of a block's size: contacts are looked for at least and at most this far.
-constexpr double least_reach = 0.01, largest_reach_ratio = 0.25;
+constexpr double least_margin = 0.01, largest_margin_ratio = 0.25;
 /// A predicted step uses this much of what is allowed: contacts accelerate too.
 constexpr double predicted_part = 0.9;
 
@@ -23,7 +23,7 @@ void MotionLimits::set_analysis(const AnalysisOptions& analysis) {
 
 double MotionLimits::largest_search_margin(int block) const {
   if (analysis_.preset == Preset::paper) return largest_displacement_;
-  return std::min(largest_reach_ratio * blocks_.block(block).size(), largest_displacement_);
+  return std::min(largest_margin_ratio * blocks_.block(block).size(), largest_displacement_);
 }
 
 void MotionLimits::find_speeds(const BlockState& state, const std::vector<ContactRecord>& met) {
@@ -51,9 +51,9 @@ const std::vector<double>& MotionLimits::search_margin(const BlockState& state,
     if (blocks_.is_unchanging(b)) continue;
     if (!blocks_.is_movable(b)) {
       if (prescribed.size() == 0) prescribed = blocks_.prescribed(state, state.time + dt);
-      search_margin_[b] = block.furthest_vertex(prescribed) + least_reach * block.size();
+      search_margin_[b] = block.furthest_vertex(prescribed) + least_margin * block.size();
     } else {
-      const double expected = 2 * (speed_[b] * dt + fall) + least_reach * block.size();
+      const double expected = 2 * (speed_[b] * dt + fall) + least_margin * block.size();
       search_margin_[b] = std::min(scale * expected, largest_search_margin(b));
     }
   }

@@ -37,7 +37,7 @@ void RunWarnings::Sighting::add(double value, int of_block, double time) {
   block = of_block;
 }
 
-void RunWarnings::look(const SeenStep& step) {
+void RunWarnings::note(const SeenStep& step) {
   const int n_blocks = step.blocks.n_blocks();
   std::vector<char> touches(n_blocks, 0), slides(n_blocks, 0), changes(n_blocks, 0);
   for (const Contact& contact : step.contacts) {

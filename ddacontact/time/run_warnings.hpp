@@ -41,7 +41,7 @@ struct SeenStep {
 struct RunWarnings {
   explicit RunWarnings(int n_blocks = 0) : slid(n_blocks, 0), unsteady(n_blocks, 0) {}
 
-  void look(const SeenStep& step);
+  void note(const SeenStep& step);
 
   /// Calls visit with every number, and visit.list for those of the blocks.
   template <class Warnings, class Visit>

@@ -190,9 +190,9 @@ bool SleepingBlocks::wake_changing(double dt) {
   return woken;
 }
 
-const std::vector<double>& SleepingBlocks::look_around(double dt, double reach) {
+const std::vector<double>& SleepingBlocks::look_around(double dt, double margin_scale) {
   while (true) {
-    const std::vector<double>& margin = limits_.search_margin(state_, contacts_, dt, reach);
+    const std::vector<double>& margin = limits_.search_margin(state_, contacts_, dt, margin_scale);
     if (!asleep_) return margin;
     bool woken = false, covered = true;
     std::vector<char> driven(blocks_.n_blocks(), 0);

@@ -56,7 +56,7 @@ class SleepingBlocks {
   /// when they may leave where that was done. Returns how far from each block contacts are to be looked for.
   /// Valid until the next call.
   /// \param[in] reach  see MotionLimits::search_margin
-  const std::vector<double>& look_around(double dt, double reach);
+  const std::vector<double>& look_around(double dt, double margin_scale);
   /// Wakes the sleepers that are hit in a trial; false: none.
   bool wake_hit(const TrialSolution& solution);
   void wake_all();

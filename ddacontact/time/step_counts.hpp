@@ -5,20 +5,20 @@ namespace ddacontact {
 
 /// Totals since the start of the run, unless stated.
 struct StepCounts {
-  long steps = 0;                  ///< whole steps of the length the scene states
-  long substeps = 0;               ///< accepted trial steps
-  long rejected = 0;               ///< trial steps rejected and repeated, most of them shorter
-  long overlap_rejections = 0;     ///< of these, for a missed penetration
-  long corner_solutions = 0;       ///< trial steps solved again because corners met other edges
-  long unsettled_corners = 0;      ///< of these, accepted although the last solution met other edges again
-  long unconverged = 0;            ///< accepted although stick and slip had not settled
-  long open_close_iterations = 0;  ///< solutions of (13), in all trial steps
+  long steps = 0;               ///< whole steps of the length the scene states
+  long substeps = 0;            ///< accepted trial steps
+  long rejected = 0;            ///< trial steps rejected and repeated, most of them shorter
+  long overlap_rejections = 0;  ///< of these, for a missed penetration
+  long corner_solutions = 0;    ///< trial steps solved again because corners met other edges
+  long unsettled_corners = 0;   ///< of these, accepted although the last solution met other edges again
+  long unconverged = 0;         ///< accepted although stick and slip had not settled
+  long contact_iterations = 0;  ///< solutions of (13), in all trial steps
   long linear_solves = 0, factorizations = 0;
   long interior_point_solves = 0;  ///< see find_interior_point_states
   long augmentations = 0;
   long sweeps = 0;                                              ///< over the contacts, see ContactSweeps
   long solutions_with_stale_factor = 0, krylov_iterations = 0;  ///< see TangentSolver
-  long interior_solutions = 0;   ///< of open_close_iterations, those of the interior-point method
+  long interior_solutions = 0;   ///< of contact_iterations, those of the interior-point method
   long solver_fallbacks = 0;     ///< sweeps, stale factors and friction by factors that did not converge
   double largest_tolerance = 0;  ///< to which contacts were solved in any accepted substep
   long broken_bonds = 0;

@@ -20,7 +20,7 @@ constexpr double shortest_substep = 1e-3;
 /// From this times the longest one on, a substep is accepted with unsettled stick and slip, and counted.
 constexpr double tolerant_substep = 1e-2;
 /// A block that moved further than its contacts were looked for has them looked for this much further.
-constexpr double reach_growth = 4;
+constexpr double margin_growth = 4;
 
 /// The length of a step without the round-off of the times that it lies between: what was made for the step
 /// before serves again.
@@ -103,7 +103,7 @@ bool Stepper::make_substeps() {
     run_.counts.overlap_rejections += result == Trial::missed_contacts;
     if (result == Trial::woke_blocks || result == Trial::missed_contacts) continue;
     if (result == Trial::outran_detection) {
-      reach_scale_ *= reach_growth;
+      margin_scale_ *= margin_growth;
       detected_ = false;
       continue;
     }
@@ -129,7 +129,7 @@ void Stepper::discard_trials() {
   sleepers_.discard();
   blocks_.prepare(state_);
   forget_ahead();
-  reach_scale_ = 1;
+  margin_scale_ = 1;
 }
 
 void Stepper::forget_ahead() {
@@ -209,7 +209,7 @@ Stepper::Trial Stepper::make_trial(double dt) {
 
 void Stepper::detect(double dt) {
   const polyfem::Stopwatch watch(trial_.times().detection);
-  search_margin_ = sleepers_.look_around(dt, reach_scale_);
+  search_margin_ = sleepers_.look_around(dt, margin_scale_);
   if (begun_)
     trial_.detect(dt, search_margin_, state_.time > progress_.start_time());
   else

@@ -182,7 +182,7 @@ class Stepper {
 
   TrialStep trial_;                    ///< of the present substep, after the last trial
   std::vector<double> search_margin_;  ///< of the last search for its contacts, m
-  double reach_scale_ = 1;
+  double margin_scale_ = 1;
   bool begun_ = false;     ///< a substep has been made: contacts carry on contacts_
   bool detected_ = false;  ///< the trial's contacts are those of state_
 

@@ -45,7 +45,7 @@ void Stepper::accept(double dt, const TrialSolution& solution, TrialEnd end) {
   begun_ = true;
   run_.last_dt = dt;
   detected_ = false;
-  reach_scale_ = 1;
+  margin_scale_ = 1;
   sleepers_.contacts_changed();
   run_.counts.equations = blocks_.n_equations();
   if (some_fell_asleep) sleepers_.regroup();
@@ -126,7 +126,7 @@ void Stepper::assess(double dt, const TrialSolution& solution, const BlockState&
   for (int* b : {&run_.equilibrium.unbalanced_block, &run_.equilibrium.fastest_block})
     if (*b >= 0) *b = sleepers_.in_whole(*b);
   run_.equilibrium.unbalanced_before = before;
-  run_.warnings.look({.blocks = blocks_,
+  run_.warnings.note({.blocks = blocks_,
                       .state = next,
                       .d = solution.d,
                       .contacts = trial_.contacts(),

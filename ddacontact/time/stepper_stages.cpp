@@ -263,7 +263,7 @@ void Stepper::restore(StepRecord record) {
   find_motions();
   blocks_.prepare(state_, true);
   forget_ahead();
-  reach_scale_ = 1;
+  margin_scale_ = 1;
   accepted_ = {substep_, run_.counts};
   sleepers_.accept();
   start_accounts();

@@ -226,7 +226,7 @@ void TrialStep::add(const polyfem::CholeskyWork& work) {
 
 void TrialStep::solve_by_open_close(TrialSolution& solution) {
   OpenCloseReport report = iterate_open_close(*system_, contacts_, solution.d);
-  counts_.open_close_iterations += report.iterations;
+  counts_.contact_iterations += report.iterations;
   solution.residual = std::move(report.residual);
   solution.friction_unsettled = report.status == SolutionStatus::friction_unsettled;
   solution.rejection =
@@ -251,7 +251,7 @@ void TrialStep::solve_by_contact_solver(const StepStart& start, BlockState& from
   ContactSolverReport report = apart ? islands_.solve(from, start, *system_, options_, contacts_, solution.d)
                                      : solve_contacts(*system_, options_, contacts_, solution.d);
   if (apart) add(islands_.last_work());
-  counts_.open_close_iterations += report.iterations;
+  counts_.contact_iterations += report.iterations;
   counts_.interior_point_solves += report.interior_point_solves;
   counts_.augmentations += report.augmentations;
   counts_.sweeps += report.sweeps;

@@ -41,10 +41,10 @@ void far_from_the_origin(Report& report) {
   const double moved = a.blocks().displacements(a.state()).colwise().norm().maxCoeff();
   const bool same = a.counts().substeps == b.counts().substeps &&
                     a.counts().rejected == b.counts().rejected &&
-                    a.counts().open_close_iterations == b.counts().open_close_iterations;
+                    a.counts().contact_iterations == b.counts().contact_iterations;
   report.claims(
       {{"The same steps and solutions.", same,
-        fmt::format("{} substeps, {} solutions", a.counts().substeps, a.counts().open_close_iterations)},
+        fmt::format("{} substeps, {} solutions", a.counts().substeps, a.counts().contact_iterations)},
        {"Displacements are the same to 1e-9 of a block.", apart <= 1e-9 * 0.75,
         fmt::format("{} m, of up to {:.1f} m", text(apart), moved)}});
 }

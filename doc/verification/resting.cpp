@@ -55,7 +55,7 @@ void settling(Report& report) {
     });
     row.resize(5, "stopped");
     row.push_back(fmt::format(
-        "{:.1f}", static_cast<double>(built.stepper->counts().open_close_iterations) / settling_steps));
+        "{:.1f}", static_cast<double>(built.stepper->counts().contact_iterations) / settling_steps));
     row.push_back(fmt::format("{:.1f}", seconds));
     rows.push_back(row);
     chart.series.push_back(series);

@@ -106,7 +106,7 @@ Claim settled(const Pair& runs) {
   return {
       "55 steps are computed.", a.unconverged + w.unconverged == 0,
       fmt::format("All of them settled: original DDA {} solutions, {} rejected tries; Wachspress {} and {}.",
-                  a.open_close_iterations, a.rejected, w.open_close_iterations, w.rejected)};
+                  a.contact_iterations, a.rejected, w.contact_iterations, w.rejected)};
 }
 
 std::string rows_text(const std::vector<double>& rows) {

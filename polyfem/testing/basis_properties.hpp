@@ -27,7 +27,7 @@ namespace polyfem {
 /// \cond
 TYPED_TEST_SUITE_P(BasisProperties);
 
-TYPED_TEST_P(BasisProperties, HasANameAndNoObjectionToWhatItIsFor) {
+TYPED_TEST_P(BasisProperties, HasANameAndRejectsNothingThatItIsFor) {
   EXPECT_FALSE(this->basis_.name().empty());
   this->for_each_polygon([&](const SamplePolygon& polygon) {
     EXPECT_NO_THROW(require_suitable(this->basis_, polygon.vertices)) << polygon.name;
@@ -35,7 +35,7 @@ TYPED_TEST_P(BasisProperties, HasANameAndNoObjectionToWhatItIsFor) {
 }
 
 /// Where it objects, it says so with its name and a vertex; where it does not, it is right.
-TYPED_TEST_P(BasisProperties, ObjectsToOtherPolygonsOrIsRightThere) {
+TYPED_TEST_P(BasisProperties, RejectsOtherPolygonsOrIsRightThere) {
   WorstError worst;
   Points square(2, 4);
   square << 0, 1, 1, 0,  //
@@ -280,8 +280,8 @@ TYPED_TEST_P(BasisProperties, ReusesTheStorageOfTheTable) {
   });
 }
 
-REGISTER_TYPED_TEST_SUITE_P(BasisProperties, HasANameAndNoObjectionToWhatItIsFor,
-                            ObjectsToOtherPolygonsOrIsRightThere, ValuesSumToOne, ValuesReproduceThePosition,
+REGISTER_TYPED_TEST_SUITE_P(BasisProperties, HasANameAndRejectsNothingThatItIsFor,
+                            RejectsOtherPolygonsOrIsRightThere, ValuesSumToOne, ValuesReproduceThePosition,
                             GradientsSumToZero, GradientsReproduceTheIdentity,
                             IsOneAtItsVertexAndZeroAtTheOthers, IsLinearAlongEdges,
                             TendsFromInsideToWhatItIsOnTheEdge, GradientsAreTheDifferencesOfTheValues,

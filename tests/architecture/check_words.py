@@ -39,6 +39,12 @@ terms = [
     ("asked for", r"\b(is|are|was|were|not) asked for\b", "requested"),
     ("the house", r"\bthe house\b", "source layout"),
     ("statements seen", r"\bstatements seen\b", "checks passed"),
+    # Of identifiers.
+    ("also_", r"\balso_\b", "forced contacts"),
+    ("reach_", r"\breach_(scale|growth)_?|\bskin_of_reach\b", "search margin"),
+    ("st_reach", r"\b(least|largest)_reach", "search margin"),
+    ("straight_on", r"straight_on\b", "collinear"),
+    ("objectionto", r"NoObjectionTo|\bObjectsTo\w*", "reject"),
 ]
 patterns = [(key, re.compile(pattern, re.IGNORECASE), term) for key, pattern, term in terms]
 kinds = {".cpp", ".hpp", ".ts", ".py", ".md", ".toml", ".txt", ".sh"}

@@ -64,7 +64,7 @@ TEST(HardSteps, TheInteriorPointMethodSolvesStepsThatTheActiveSetAloneDoesNot) {
       const bool made = stepper.step();
       EXPECT_TRUE(inside || stepper.counts().interior_point_solves == 0);
       if (made && inside && stepper.counts().substeps == 1) {
-        EXPECT_LE(stepper.counts().open_close_iterations, 300 * (1 + stepper.counts().corner_solutions));
+        EXPECT_LE(stepper.counts().contact_iterations, 300 * (1 + stepper.counts().corner_solutions));
       }
       return made;
     };

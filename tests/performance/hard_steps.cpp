@@ -53,8 +53,8 @@ Outcome try_steps(const Method& method, const std::vector<HardStep>& steps) {
     const StepCounts& counts = stepper.counts();
     ++outcome.attempted;
     outcome.solved += made && !(method.all_agree && counts.unconverged > 0);
-    outcome.solutions += counts.open_close_iterations;
-    outcome.most = std::max(outcome.most, counts.open_close_iterations);
+    outcome.solutions += counts.contact_iterations;
+    outcome.most = std::max(outcome.most, counts.contact_iterations);
     outcome.factorizations += stepper.counts().factorizations;
     outcome.residual = std::max(outcome.residual, counts.max_residual);
   }
@@ -96,10 +96,10 @@ void collect_from(const Scene& scene, const std::string& name, long least,
   long most = least;
   for (int k = 0; k < scene.analysis.steps; ++k) {
     StepRecord before = stepper.record();
-    const long solutions = stepper.counts().open_close_iterations;
+    const long solutions = stepper.counts().contact_iterations;
     const bool made = stepper.step();
-    if (stepper.counts().open_close_iterations - solutions > most) {
-      most = stepper.counts().open_close_iterations - solutions;
+    if (stepper.counts().contact_iterations - solutions > most) {
+      most = stepper.counts().contact_iterations - solutions;
       hardest = std::move(before);
     }
     if (!made) break;

@@ -252,7 +252,7 @@ double largest_displacement(const Run& run) {
 bool same_counts(const Run& one, const Run& other) {
   const StepCounts &a = one.counts, &b = other.counts;
   return a.steps == b.steps && a.substeps == b.substeps && a.rejected == b.rejected &&
-         a.open_close_iterations == b.open_close_iterations && a.contacts_max == b.contacts_max &&
+         a.contact_iterations == b.contact_iterations && a.contacts_max == b.contacts_max &&
          a.interior_point_solves == b.interior_point_solves && a.augmentations == b.augmentations;
 }
 

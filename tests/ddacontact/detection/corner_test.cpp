@@ -31,9 +31,9 @@ TEST(Corner, ARoundOutlineGoesStraightOnForThreeDegrees) {
   const Points circle = regular_polygon(300);
   const double side = 2 * std::sin(std::numbers::pi / 300);
   for (const int from : {0, 150, 298}) {
-    EXPECT_TRUE(goes_straight_on(circle, from, from));
-    EXPECT_TRUE(goes_straight_on(circle, from, (from + 2) % 300));
-    EXPECT_FALSE(goes_straight_on(circle, from, (from + 3) % 300));
+    EXPECT_TRUE(are_collinear(circle, from, from));
+    EXPECT_TRUE(are_collinear(circle, from, (from + 2) % 300));
+    EXPECT_FALSE(are_collinear(circle, from, (from + 3) % 300));
     EXPECT_NEAR(straight_length(circle, from, true), 2 * side, 1e-12);
     EXPECT_NEAR(straight_length(circle, from, false), 2 * side, 1e-12);
   }

@@ -47,7 +47,7 @@ TEST(IslandsApart, MoveAsTheyDoTogether) {
     ASSERT_LE((apart.stepper->reactions() - one.stepper->reactions()).rowwise().sum().norm(), 1e-2 * weight)
         << k;
   }
-  EXPECT_LT(apart.stepper->counts().open_close_iterations, one.stepper->counts().open_close_iterations);
+  EXPECT_LT(apart.stepper->counts().contact_iterations, one.stepper->counts().contact_iterations);
   EXPECT_LE(apart.stepper->counts().max_residual, 1e-8);
   EXPECT_LE(std::abs(apart.stepper->energy().balance_error()), 1e-8);
 }
@@ -65,7 +65,7 @@ TEST(IslandsApart, TakeWhatTheOneTakesThatNeedsMost) {
     for (int level = 0; level < 3; ++level) alone.blocks.push_back(scene.blocks[1 + 3 * k + level]);
     BuiltScene one = build(alone);
     run(*one.stepper, 1);
-    most = std::max(most, one.stepper->counts().open_close_iterations);
+    most = std::max(most, one.stepper->counts().contact_iterations);
   }
-  EXPECT_EQ(all.stepper->counts().open_close_iterations, most);
+  EXPECT_EQ(all.stepper->counts().contact_iterations, most);
 }

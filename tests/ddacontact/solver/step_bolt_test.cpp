@@ -50,7 +50,7 @@ constexpr Directions all_directions[] = {Directions::of_start, Directions::mean,
 
 VectorXd forces_at(StepBolt& step, const VectorXd& d) {
   VectorXd F = VectorXd::Zero(d.size());
-  step.look(d);
+  step.evaluate(d);
   step.add_forces(F);
   return F;
 }
@@ -63,7 +63,7 @@ TEST(StepBolt, NodesArePulledTowardsEachOtherAndForcesBalance) {
     StepBolt step = bar.begun(directions);
     EXPECT_EQ(step.blocks(), (std::vector<int>{0, 1, 2}));
     EXPECT_NEAR(step.largest_stiffness(), 6e6 / 2, 1e-6);
-    step.look(VectorXd::Zero(bar.blocks().n_unknowns()));
+    step.evaluate(VectorXd::Zero(bar.blocks().n_unknowns()));
     EXPECT_LE((step.force_on(0) - 3e4 * Vec2(0.6, 0.8)).norm(), 1e-7);
     EXPECT_LE((step.force_on(2) - Vec2(-3e4, 0)).norm(), 1e-7);
     EXPECT_LE((step.force_on(0) + step.force_on(1) + step.force_on(2)).norm(), 1e-7);
@@ -111,7 +111,7 @@ TEST(StepBolt, TheTangentOfATensionBarIsTheDerivative) {
     StepBolt step = bar.begun(directions);
     // Of forces along the start it is exact there.
     const VectorXd d = (directions == Directions::of_end) * bar.pulled({-0.1, 0.05});
-    step.look(d);
+    step.evaluate(d);
     const MatrixXd K = step.tangent();
     const std::vector<int>& u = step.unknowns();
     ASSERT_EQ(K.rows(), static_cast<Index>(u.size()));
@@ -129,7 +129,7 @@ TEST(StepBolt, YieldingTakesTheForceTimesTheWay) {
   for (const Directions directions : all_directions) {
     InstalledBar bar(3e4, 3e4);
     StepBolt step = bar.begun(directions);
-    step.look(bar.pulled({-0.06, -0.08}));
+    step.evaluate(bar.pulled({-0.06, -0.08}));
     VectorXd numbers = bar.state.bolts;
     const BoltLosses losses = step.end(numbers);
     const double last = std::hypot(2.06, 0.08) - 2;

@@ -36,7 +36,7 @@ Points displacements(const BuiltScene& built) {
 void expect_same_counts(const Stepper& a, const Stepper& b) {
   EXPECT_EQ(a.counts().substeps, b.counts().substeps);
   EXPECT_EQ(a.counts().rejected, b.counts().rejected);
-  EXPECT_EQ(a.counts().open_close_iterations, b.counts().open_close_iterations);
+  EXPECT_EQ(a.counts().contact_iterations, b.counts().contact_iterations);
   EXPECT_EQ(a.counts().contacts_max, b.counts().contacts_max);
 }
 

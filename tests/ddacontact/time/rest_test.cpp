@@ -107,7 +107,7 @@ TEST(Rest, AWallInRunningBondComesToRest) {
   const Points point = stepper.state().position;
   run(stepper, 20);
   // Two a step and some that bring residuals to 1e-12 of the forces.
-  EXPECT_LE(stepper.counts().open_close_iterations - before.open_close_iterations, 2.5 * 20);
+  EXPECT_LE(stepper.counts().contact_iterations - before.contact_iterations, 2.5 * 20);
   EXPECT_EQ(stepper.counts().rejected, before.rejected);
   EXPECT_LE((stepper.state().position - point).cwiseAbs().maxCoeff(), 1e-10);
   const double weight = 2000 * 10 * 0.5 * n_courses * n_bricks;

@@ -47,7 +47,7 @@ struct AStep {
     blocks.block(b).points().columns_of(state.position).row(0) *= 1 + strain;
   }
   RunWarnings& look() {
-    warnings.look({blocks, state, d, contacts, dt, time, has_velocities, is_first, in_whole});
+    warnings.note({blocks, state, d, contacts, dt, time, has_velocities, is_first, in_whole});
     return warnings;
   }
 };

@@ -58,7 +58,7 @@ TEST(TrialStep, ASliderPressesByItsWeightAndIsSlowedByFriction) {
       EXPECT_TRUE(is_slipping(contact.history.state));
     }
     EXPECT_NEAR(step.mean_motion(solution.motion(), 1).x(), dt - friction * g * dt * dt / 2, 1e-6);
-    EXPECT_GT(step.counts.open_close_iterations, 0);
+    EXPECT_GT(step.counts.contact_iterations, 0);
     EXPECT_GT(step.counts.factorizations + step.counts.sweeps, 0);
   }
 }

@@ -70,7 +70,7 @@ std::vector<Measurement> measure(const Problem& problem, const Judge& judge, con
     of_run.steps = counts.steps;
     of_run.substeps = counts.substeps;
     of_run.rejected = counts.rejected;
-    of_run.solutions = counts.open_close_iterations;
+    of_run.solutions = counts.contact_iterations;
     if (first.stopped.empty()) errors = judge(*first.built.stepper);
   } catch (const Error& error) {
     of_run.stopped = one_line(error.what());

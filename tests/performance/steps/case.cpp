@@ -185,7 +185,7 @@ Measurement measure(const Case& what, const Effort& effort) {
   };
   row.substeps = each(&StepCounts::substeps);
   row.rejected = each(&StepCounts::rejected);
-  row.iterations = each(&StepCounts::open_close_iterations);
+  row.iterations = each(&StepCounts::contact_iterations);
   row.linear_solves = each(&StepCounts::linear_solves);
   row.factorizations = each(&StepCounts::factorizations);
   if (row.steps > 0)

@@ -193,7 +193,7 @@ class Run {
     return step_performance::processor_time() - start;
   }
   const Stepper& stepper() const { return *built_.stepper; }
-  double iterations() const { return static_cast<double>(stepper().counts().open_close_iterations); }
+  double iterations() const { return static_cast<double>(stepper().counts().contact_iterations); }
 
  private:
   BuiltScene built_;
@@ -238,7 +238,7 @@ Outcome outcome(const Scene& scene, const char* name) {
   for (int k = 0; k < n_warm_steps; ++k) run.step();
   const StepCounts& counts = run.stepper().counts();
   return {run.stepper().state().position,
-          {counts.open_close_iterations, counts.linear_solves, counts.factorizations, counts.contacts}};
+          {counts.contact_iterations, counts.linear_solves, counts.factorizations, counts.contacts}};
 }
 
 bool check() {

@@ -50,7 +50,7 @@ struct NamedCount {
 };
 constexpr std::array counts_of_steps{NamedCount{"substeps", &StepCounts::substeps},
                                      NamedCount{"rejected", &StepCounts::rejected},
-                                     NamedCount{"iterations", &StepCounts::open_close_iterations},
+                                     NamedCount{"iterations", &StepCounts::contact_iterations},
                                      NamedCount{"linear_solves", &StepCounts::linear_solves},
                                      NamedCount{"factorizations", &StepCounts::factorizations},
                                      NamedCount{"interior_paths", &StepCounts::interior_point_solves},

@@ -147,8 +147,8 @@ struct Trial {
 };
 
 const Trial trials[] = {
-    {"HasANameAndNoObjectionToWhatItIsFor", none, object_to_everything},
-    {"ObjectsToOtherPolygonsOrIsRightThere", none, object_to_nothing},
+    {"HasANameAndRejectsNothingThatItIsFor", none, object_to_everything},
+    {"RejectsOtherPolygonsOrIsRightThere", none, object_to_nothing},
     {"ValuesSumToOne", values_sum_off},
     {"ValuesReproduceThePosition", values_exchanged},
     {"ValuesReproduceThePosition", single_precision},
