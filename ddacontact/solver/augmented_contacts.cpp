@@ -14,7 +14,8 @@ namespace {
 /// tenth, and at most, for its round-off to stay below the forces that the compliant side bears.
 constexpr double least_stiffness_ratio = 10, largest_stiffness_ratio = 1000;
 /// A dynamic step corrects this part of the gaps and slips of closed contacts, and all beyond the penetration
-/// tolerance.
+/// tolerance. Schemes that damp nothing correct the latter alone: forces that follow the sum of past gaps
+/// drive vibrations.
 constexpr double corrected_part = 0.2;
 
 /// Complementarity: no tension beyond a bond's, no shear beyond the bound, up to round-off and `negligible`,
@@ -89,7 +90,8 @@ void AugmentedContacts::begin_compliant(const Contact& contact, Multiplier& mult
 double AugmentedContacts::kept(double length, int halvings, double size) const {
   const double most = options_.penetration_tolerance * size, least = negligible_gap * most,
                within = std::min(std::abs(length), most),
-               part = options_.is_static ? std::ldexp(1, -halvings) : corrected_part;
+               of_motion = has_means() || system_.rule().is_explicit() ? 0 : corrected_part,
+               part = options_.is_static ? std::ldexp(1, -halvings) : of_motion;
   return std::copysign(within <= least ? within : std::max(least, (1 - part) * within), length);
 }
 

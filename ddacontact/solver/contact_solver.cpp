@@ -31,9 +31,8 @@ constexpr double sufficient_decrease = 1e-2;
 constexpr double stale_factor_gain = 0.1;
 /// Solutions without a smaller residual after which an accepted one is final, and after which states are
 /// left.
-constexpr int patience = 4, most_in_vain = 12;
-/// Changes of the active set from which on the accepted residual is what is aimed at.
-constexpr int changes_until_accepted = patience;
+/// Changes of the active set from which on the accepted residual is what is aimed at: the last one.
+constexpr int patience = 4, most_in_vain = 12, changes_until_accepted = patience;
 /// Residual target, as a fraction of the round-off bound.
 constexpr double round_off_target = 0.05;
 

@@ -125,7 +125,7 @@ bool FrictionProblem::factorize(const std::vector<ContactTerm>& contacts,
 /// x = method(b) of the equations, as one of all unknowns.
 void FrictionProblem::solve_by(void (polyfem::Cholesky::*method)(const VectorXd&, VectorXd&),
                                const VectorXd& b, VectorXd& x) {
-  assert(b.size() == std::ssize(equation_) && factored_springs_);
+  assert(b.size() == std::ssize(equation_));
   rhs_.resize(n_equations_);
   for (Index k = 0; k < b.size(); ++k)
     if (equation_[k] >= 0) rhs_[equation_[k]] = b[k];
