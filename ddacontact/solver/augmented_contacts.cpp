@@ -14,8 +14,8 @@ namespace {
 /// tenth, and at most, for its round-off to stay below the forces that the compliant side bears.
 constexpr double least_stiffness_ratio = 10, largest_stiffness_ratio = 1000;
 /// A dynamic step corrects this part of the gaps and slips of closed contacts, and all beyond the penetration
-/// tolerance. Schemes that damp nothing correct the latter alone: forces that follow the sum of past gaps
-/// drive vibrations.
+/// tolerance. Schemes that damp nothing correct the latter alone, since forces that follow the sum of past
+/// gaps drive vibrations: their contacts are stiffer by what corrections would add up to.
 constexpr double corrected_part = 0.2;
 
 /// Complementarity: no tension beyond a bond's, no shear beyond the bound, up to round-off and `negligible`,
@@ -64,6 +64,7 @@ void AugmentedContacts::begin(Contact& contact, Multiplier& multiplier) const {
                               t * t / system_.vertex_stiffness(edge_block, next, normal));
   const double ratio = law.tangential_stiffness / law.normal_stiffness,
                lower_stiffness = std::min(of_vertex, of_edge);
+  if (leaves_gaps()) law.normal_stiffness /= corrected_part;
   if (std::isfinite(lower_stiffness))
     law.normal_stiffness = std::clamp(law.normal_stiffness, least_stiffness_ratio * lower_stiffness,
                                       largest_stiffness_ratio * lower_stiffness);
@@ -89,8 +90,7 @@ void AugmentedContacts::begin_compliant(const Contact& contact, Multiplier& mult
 /// What a step leaves of the gap or slip that a closed contact of blocks of this size starts with.
 double AugmentedContacts::kept(double length, int halvings, double size) const {
   const double most = options_.penetration_tolerance * size, least = negligible_gap * most,
-               within = std::min(std::abs(length), most),
-               of_motion = has_means() || system_.rule().is_explicit() ? 0 : corrected_part,
+               within = std::min(std::abs(length), most), of_motion = leaves_gaps() ? 0 : corrected_part,
                part = options_.is_static ? std::ldexp(1, -halvings) : of_motion;
   return std::copysign(within <= least ? within : std::max(least, (1 - part) * within), length);
 }

@@ -85,6 +85,8 @@ class AugmentedContacts {
   double shear_stiffness(const JointLaw& law) const {
     return law.tangential_stiffness * (law.compliant && has_means() ? 1. / 2 : 1);
   }
+  /// Schemes that damp nothing.
+  bool leaves_gaps() const { return has_means() || system_.rule().is_explicit(); }
   double kept(double length, int halvings, double size) const;
   int follows_bound(std::size_t c, unsigned char state) const;
   bool yields(std::size_t c, const VectorXd& d) const;

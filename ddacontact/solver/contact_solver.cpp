@@ -30,8 +30,7 @@ constexpr double sufficient_decrease = 1e-2;
 /// since then leave stiff forces in soft directions.
 constexpr double stale_factor_gain = 0.1;
 /// Solutions without a smaller residual after which an accepted one is final, and after which states are
-/// left.
-/// Changes of the active set from which on the accepted residual is what is aimed at: the last one.
+/// left; changes of the active set from which on an accepted residual is final.
 constexpr int patience = 4, most_in_vain = 12, changes_until_accepted = patience;
 /// Residual target, as a fraction of the round-off bound.
 constexpr double round_off_target = 0.05;

@@ -8,8 +8,9 @@ namespace {
 
 /// Sweeps on one linearized geometry, and linearizations.
 constexpr int most_sweeps = 1000, most_rounds = 12;
-/// The tolerance of the last sweep over that of the step: the remaining error exceeds its change.
-constexpr double part_of_last_sweep = 0.1;
+/// The tolerance of the last sweep over that of the step: the remaining error exceeds its change. And its change
+/// over that of the first, so that what no tolerance sees does not grow.
+constexpr double part_of_last_sweep = 0.1, reduction = part_of_last_sweep * part_of_last_sweep;
 /// A coarse step has many changes when more than this part of the contacts, and more than this number, change
 /// state in its first two sweeps. It accepts this multiple of the penetration tolerance.
 constexpr double many_changes = 0.08;
@@ -19,12 +20,11 @@ constexpr double coarse_penetration = 10;
 /// Of vertices that d leads off their edges. False: there are none.
 bool drop_forces_beyond_edges(AugmentedContacts& contacts) {
   bool any = false;
-  for (std::size_t c = 0; c < contacts.size(); ++c) {
-    ContactForce& force = contacts.forces()[c];
-    if (contacts.terms()[c].normal != ContactTerm::Normal::absent || force.normal == 0) continue;
-    force = {};
-    any = true;
-  }
+  for (std::size_t c = 0; c < contacts.size(); ++c)
+    if (contacts.terms()[c].normal == ContactTerm::Normal::absent && contacts.forces()[c].normal != 0) {
+      contacts.forces()[c] = {};
+      any = true;
+    }
   return any;
 }
 
@@ -36,8 +36,8 @@ bool stays_straight(const StepSystem& system, const AugmentedContacts& contacts,
   const BlockSystem& blocks = system.blocks();
   std::vector<double> bends(static_cast<std::size_t>(blocks.n_blocks()));
   for (int b = 0; b < blocks.n_blocks(); ++b) {
-    const double last = system.largest_motion(b, change), way = system.largest_motion(b, d) + last;
-    bends[b] = last * way / system.size_of(b);
+    const double last = system.largest_motion(b, change);
+    bends[b] = last * (system.largest_motion(b, d) + last) / system.size_of(b);
   }
   for (const PrescribedDof& held : blocks.prescribed_dofs())
     if (const int b = blocks.block_of_point(held.vertex);
@@ -62,10 +62,10 @@ bool solve_by_sweeps(StepSystem& system, const ContactSolverOptions& options, Au
   };
   const ContactSweeps::Tolerance tight{part_of_last_sweep * options.sweep_tolerance},
       coarse{options.sweep_tolerance, coarse_penetration}, any{inf, inf};
-  const double negligible = options.local ? part_of_last_sweep * options.residual_tolerance : inf;
+  const double negligible = options.local ? part_of_last_sweep * options.residual_tolerance : inf,
+               many = options.coarse ? many_changes : inf;
   ContactSweeps::Stop stop{
-      options.local ? tight : any, coarse,    options.coarse ? many_changes : inf, few_changes, most_sweeps,
-      part_of_last_sweep,          negligible};
+      options.local ? tight : any, coarse, many, few_changes, most_sweeps, reduction, negligible};
   ContactSweeps sweeps;
   bool changes_many = false;
   for (int round = 0; round < most_rounds; ++round) {

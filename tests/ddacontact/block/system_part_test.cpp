@@ -17,7 +17,7 @@ Scene four_blocks() {
 
 }  // namespace
 
-TEST(BlockSystem::Part, TakesThePlaceOfTheWholeAndGivesItBack) {
+TEST(SystemPart, TakesThePlaceOfTheWholeAndGivesItBack) {
   BuiltScene built = build(four_blocks());
   BlockSystem& system = blocks_of(built);
   BlockState state = built.stepper->state();

@@ -126,3 +126,46 @@ TEST(Explicit, CollisionsKeepMomenta) {
             mass * Vec2(2, 0.5).squaredNorm() / 2);
   EXPECT_EQ(built.stepper->energy().created(), 0);
 }
+
+/// A column that static steps have brought to rest to round-off, awake for a second. What contacts are solved
+/// to, 1e-3 of their forces, is far above what is left: it must not grow.
+TEST(Explicit, AnEquilibriumStaysAtRest) {
+  Scene scene = explicit_scene(5e-4, 2000);
+  scene.analysis.damping.mass = 5;
+  scene.analysis.skip.sleep = false;
+  scene.materials = {{"rock", 2500, 1e10, 0.2}};
+  scene.blocks = {block(rectangle(-1, -1, 3, 1), true)};
+  for (int k = 0; k < 10; ++k) scene.blocks.push_back(block(rectangle(0, k, 1, 1)));
+  for (BlockDescription& b : scene.blocks) b.model = BlockModel::affine;
+  StageDescription settling = scene.stage("settle"), awake = scene.stage("awake");
+  settling.analysis.mode = Mode::statics;
+  settling.analysis.time_step = 0.05;
+  settling.analysis.steps = 30;
+  scene.stages = {settling, awake};
+  const BuiltScene built = build(scene);
+  run(*built.stepper, 2030);
+  EXPECT_LE(built.stepper->equilibrium().fastest, 1e-7);
+  EXPECT_TRUE(built.stepper->is_at_rest());
+}
+
+/// Nothing but its fall gives a block on the floor energy, however its contacts correct their gaps.
+TEST(ConservingSchemes, GainNothingUnderSuddenGravity) {
+  for (const Scheme scheme : {Scheme::central_difference, Scheme::midpoint})
+    for (const double time_step : {1e-3, 2e-4}) {
+      Scene scene = explicit_scene(time_step, static_cast<int>(std::lround(0.5 / time_step)));
+      scene.analysis.scheme = scheme;
+      scene.materials = {{"rock", 2500, 1e10, 0.2}};
+      scene.blocks = {block(rectangle(-1, -1, 12, 1), true), block(rectangle(0, 0, 10, 10))};
+      const BuiltScene built = build(scene);
+      const EnergyLedger& ledger = built.stepper->energy();
+      double largest = 0, exchanged = 0;
+      for (int k = 0; k < scene.analysis.steps; ++k) {
+        run(*built.stepper, 1);
+        largest = std::max(largest, ledger.now.kinetic + ledger.now.elastic + ledger.now.gravity);
+        exchanged = std::max(exchanged, std::abs(ledger.now.gravity));
+      }
+      EXPECT_GT(exchanged, 100);
+      EXPECT_LE(largest, 1e-2 * exchanged)
+          << "scheme " << static_cast<int>(scheme) << ", " << time_step << " s";
+    }
+}
