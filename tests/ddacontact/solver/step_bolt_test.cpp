@@ -83,7 +83,7 @@ TEST(StepBolt, FollowsTheDirectionThatTheSchemeAsksFor) {
   const double force = 6e6 / 5 * (std::sqrt(52.) - 5);
   StepBolt at_start = bar.begun(Directions::of_start), at_end = bar.begun(Directions::of_end),
            mean = bar.begun(Directions::mean);
-  for (StepBolt* step : {&at_start, &at_end, &mean}) step->look(d);
+  for (StepBolt* step : {&at_start, &at_end, &mean}) step->evaluate(d);
   EXPECT_LE((at_start.force_on(0) - force * Vec2(0.6, 0.8)).norm(), 1e-6);
   EXPECT_LE((at_end.force_on(0) - force * Vec2(6, 4) / std::sqrt(52.)).norm(), 1e-6);
   EXPECT_LE((mean.force_on(0) - force / 2 * Vec2(9, 8) / (5 + std::sqrt(52.))).norm(), 1e-6);
