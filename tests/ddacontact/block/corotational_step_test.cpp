@@ -147,16 +147,19 @@ TEST_P(CorotationalSteps, FreePathsAreRigid) {
             1e-13);
 }
 
-TEST_P(CorotationalSteps, ChangesThatAreRigidTurnTheBlock) {
+/// What is rigid in a change turns the block, and its strain with it; small changes are added.
+TEST_P(CorotationalSteps, ChangesTurnTheBlockByWhatIsRigidInThem) {
   const auto step = begin(newmark());
-  const Points before = y0 + any(0.01);
+  const Points before = y0 + any(0.01), way = any(0.01);
+  const auto motion = nodes.rigid(before, way);
+  const Points strain = way - nodes.everywhere(motion.linear) - motion.angular * motion.turning;
   const double angle = 0.8;
   const Vec2 shift(2, 1);
   VectorXd d = unknowns(before - y0);
-  step.add_change(unknowns(angle * nodes.spin(before) + nodes.everywhere(shift)), d);
-  const Points expected = before + turn_less_one(angle) * nodes.arms(before) + nodes.everywhere(shift);
+  step.add_change(unknowns(angle * motion.turning + nodes.everywhere(shift) + strain), d);
+  const Points expected =
+      turned_by(angle) * (nodes.arms(before) + strain) + nodes.everywhere(nodes.mean(before) + shift);
   EXPECT_LE((y0 + nodes.to_nodes(d) - expected).norm(), 1e-12);
-  // Small ones are added.
   VectorXd little = unknowns(before - y0);
   const VectorXd change = unknowns(any(1e-5));
   step.add_change(change, little);

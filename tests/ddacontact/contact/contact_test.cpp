@@ -67,6 +67,10 @@ TEST_P(RandomContacts, GapAndSlipStayWhenBothBlocksMoveAsOne) {
                      after = contact.motion.gap_and_slip_at(d, lock, Directions::of_end);
     EXPECT_NEAR(after.gap, contact.motion.start_gap(), 1e-13);
     EXPECT_NEAR(after.slip, before.slip, 1e-13);
+    EXPECT_NEAR(before.slip,
+                contact.motion.rates_at(contact.motion.positions(), 0).slip - lock * contact.edge_length(),
+                1e-14)
+        << "from the lock point on";
   }
 }
 

@@ -64,10 +64,12 @@ Matrix read(const std::string& bytes) {
   return matrix;
 }
 
+/// Of a matrix, and one number.
 std::string dimensions(Index rows, Index cols) {
   ByteWriter writer;
   writer(rows);
   writer(cols);
+  writer(1.0);
   return writer.bytes;
 }
 

@@ -25,8 +25,8 @@ void divide_into_stages(Scene& scene, std::mt19937& random) {
     stage.analysis.steps = 1 + below(5);
     stage.analysis.time_step *= std::ldexp(1.0, below(3) - 1);
     if (below(5) == 0) stage.analysis.mode = Mode::statics;
-    const Scheme schemes[] = {Scheme::decaying, Scheme::midpoint, Scheme::dda, Scheme::newmark,
-                              Scheme::backward_euler, Scheme::central_difference};
+    const Scheme schemes[] = {Scheme::decaying, Scheme::midpoint,       Scheme::dda,
+                              Scheme::newmark,  Scheme::backward_euler, Scheme::central_difference};
     if (below(3) == 0 && scene.analysis.kinematics == Kinematics::corotational)
       stage.analysis.scheme = schemes[below(6)];
     if (below(3) == 0) stage.analysis.gravity = Vec2(below(10) - 5, -below(10));
