@@ -195,8 +195,10 @@ void keep_older(const RunArguments& arguments, const std::filesystem::path& dire
                 std::string& checkpoint) {
   DirectoryLock::expect_free(directory);
   const std::vector<std::filesystem::path> files = files_of_scene(arguments.scene, arguments.settings);
-  if (checkpoint.empty() || arguments.as_stage) expect_none_overwritten(directory, files);
-  if (arguments.force) return;
+  if (arguments.force) {
+    if (checkpoint.empty() || arguments.as_stage) expect_none_overwritten(directory, files);
+    return;
+  }
   bool is_beside = false;
   if (!checkpoint.empty()) {
     const std::filesystem::path beside = std::filesystem::canonical(checkpoint).parent_path();
@@ -205,7 +207,10 @@ void keep_older(const RunArguments& arguments, const std::filesystem::path& dire
     const bool goes_on = !std::filesystem::exists(beside / "energy.csv", missing) || is_beside;
     if (goes_on && !arguments.as_stage) return;
   }
-  if (holds_results(directory)) expect_none_in(directory, files);
+  if (holds_results(directory))
+    expect_none_in(directory, files);
+  else
+    expect_none_overwritten(directory, files);
   const auto kept = keep_older_results(directory);
   if (!kept) return;
   if (is_beside) checkpoint = (*kept / std::filesystem::path(checkpoint).filename()).string();

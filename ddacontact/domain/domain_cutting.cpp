@@ -160,8 +160,12 @@ CutBlock block_of(const polyfem::CutCells& cells, const polyfem::CutCell& cell, 
   const Vec2 inside = inner_point(block.outline);
   for (std::size_t r = 0; r < domain.regions.size(); ++r)
     if (polyfem::contains(domain.regions[r].polygon, inside)) block.regions.push_back(static_cast<int>(r));
+  // Around an opening whose lines are lost, smaller than the snap, lies a block of any size.
+  const double half_area = polyfem::signed_area(block.outline) / 2;
   for (std::size_t o = 0; o < domain.openings.size(); ++o)
-    if (polyfem::contains(domain.openings[o].outline, inside)) block.openings.push_back(static_cast<int>(o));
+    if (polyfem::contains(domain.openings[o].outline, inside) &&
+        half_area <= std::abs(polyfem::signed_area(domain.openings[o].outline)))
+      block.openings.push_back(static_cast<int>(o));
   return block;
 }
 

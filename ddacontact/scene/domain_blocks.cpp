@@ -137,7 +137,7 @@ class DomainReader {
 
   void add_trace(const TraceRecord& trace) {
     const Points& points = trace.points.points;
-    if (!trace.locations.good("points")) return;
+    if (!trace.locations.usable("points")) return;
     for (Index k = 0; k + 1 < points.cols(); ++k)
       if (points.col(k) == points.col(k + 1))
         problems_.error(trace.points.locations[k + 1], "the trace has the same point twice", "leave one out");

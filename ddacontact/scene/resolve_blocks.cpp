@@ -89,6 +89,7 @@ std::vector<int> resolve_edge_joints(const BlockRecord& block, const NameTable& 
 
 /// Blocks so small beside the scene that places on them are lost in round-off.
 void check_sizes(BlockTable& table, ProblemList& problems) {
+  constexpr double least_size = 1e-12;  // of the scene
   Eigen::AlignedBox2d scene;
   for (const PositionedOutline& block : table.outlines)
     for (const auto& vertex : block.outline.polygon.colwise()) scene.extend(Vec2(vertex));
@@ -96,7 +97,7 @@ void check_sizes(BlockTable& table, ProblemList& problems) {
   const double extent = scene.diagonal().norm();
   for (int b = 0; b < table.names.size(); ++b) {
     CheckedOutline& outline = table.outlines[b].outline;
-    if (!outline.valid() || outline.size >= narrowest * extent) continue;
+    if (!outline.valid() || outline.size >= least_size * extent) continue;
     problems.error(table.outlines[b].location,
                    table.names.title(b) + " of " + rounded(outline.size) +
                        " m is lost in the round-off of a scene of " + rounded(extent) + " m",

@@ -55,7 +55,7 @@ class SleepingBlocks {
   /// Wakes the islands that supports in motion may reach, and looks anew for what is near the blocks awake
   /// when they may leave where that was done. Returns how far from each block contacts are to be looked for.
   /// Valid until the next call.
-  /// \param[in] reach  see MotionLimits::search_margin
+  /// \param[in] margin_scale  see MotionLimits::search_margin
   const std::vector<double>& look_around(double dt, double margin_scale);
   /// Wakes the sleepers that are hit in a trial; false: none.
   bool wake_hit(const TrialSolution& solution);

@@ -93,7 +93,7 @@ inline BlockSystem& blocks_of(BuiltScene& built) {
 }
 
 /// A step from the state, with no impact within.
-inline StepStart step_start(const BlockState& state, double dt, const StepRule& rule = {}) {
+inline StepStart step_start(const BlockState& state, double dt, const StepRule& rule = {.scheme = Scheme::dda}) {
   return {rule, dt, state.velocity, state.carried};
 }
 
