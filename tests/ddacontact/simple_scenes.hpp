@@ -92,8 +92,13 @@ inline BlockSystem& blocks_of(BuiltScene& built) {
   return const_cast<BlockSystem&>(built.stepper->blocks());
 }
 
+inline StepRule rule_of(Scheme scheme) {
+  StepRule rule;
+  rule.scheme = scheme;
+  return rule;
+}
 /// A step from the state, with no impact within.
-inline StepStart step_start(const BlockState& state, double dt, const StepRule& rule = {.scheme = Scheme::dda}) {
+inline StepStart step_start(const BlockState& state, double dt, const StepRule& rule = rule_of(Scheme::dda)) {
   return {rule, dt, state.velocity, state.carried};
 }
 
