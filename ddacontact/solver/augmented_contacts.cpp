@@ -29,6 +29,13 @@ constexpr double corrected_part = 0.2;
          (law.glued || std::abs(force.shear) <= bound + allowed);
 }
 
+/// The stiffness of a spring through the force and the gap of a closed contact. Forces beyond the tolerance are
+/// raised where contacts close; schemes that damp nothing lower them along this spring. Lowered at another gap
+/// than they were raised at, they would do work in every cycle of loading.
+double secant_stiffness(double force, double gap, double tolerance) {
+  return force * gap < 0 ? std::abs(force) / std::max(std::abs(gap), negligible_gap * tolerance) : 0;
+}
+
 }  // namespace
 
 AugmentedContacts::AugmentedContacts(const StepSystem& system, const ContactSolverOptions& options,
@@ -68,13 +75,17 @@ void AugmentedContacts::begin(Contact& contact, Multiplier& multiplier) const {
   if (std::isfinite(lower_stiffness))
     law.normal_stiffness = std::clamp(law.normal_stiffness, least_stiffness_ratio * lower_stiffness,
                                       largest_stiffness_ratio * lower_stiffness);
+  const double start_gap = contact.first_gap().constant - history.gap_offset;
+  if (leaves_gaps() && contact.closed())
+    law.normal_stiffness =
+        std::max(law.normal_stiffness,
+                 secant_stiffness(history.normal, start_gap, options_.penetration_tolerance * contact.size));
   law.tangential_stiffness = ratio * law.normal_stiffness;
   if (!contact.closed()) return;
   multiplier.normal = history.normal;
   multiplier.shear = history.shear;
   multiplier.sliding = is_slipping(history.state);
-  multiplier.normal += law.normal_stiffness * kept(contact.first_gap().constant - history.gap_offset,
-                                                   history.halvings, contact.size);
+  multiplier.normal += law.normal_stiffness * kept(start_gap, history.halvings, contact.size);
   if (!multiplier.sliding && (law.has_friction() || multiplier.bonded))
     multiplier.shear += law.tangential_stiffness * kept(contact.first_slip().constant, 0, contact.size);
 }
@@ -156,6 +167,10 @@ void AugmentedContacts::raise_multipliers(const VectorXd& d) {
     Multiplier& multiplier = multipliers_[c];
     multiplier.normal = elastic_normal(c, d);
     multiplier.shear = forces_[c].shear;
+    if (leaves_gaps() && springs_[c].normal.acts()) {
+      const double left = options_.penetration_tolerance * contacts_[c].size / 2;
+      multiplier.normal += contacts_[c].law.normal_stiffness * std::clamp(terms_[c].gap(d), -left, left);
+    }
     multiplier.sliding = is_sliding(c);
   }
 }
