@@ -29,13 +29,6 @@ constexpr double corrected_part = 0.2;
          (law.glued || std::abs(force.shear) <= bound + allowed);
 }
 
-/// The stiffness of a spring through the force and the gap of a closed contact. Forces beyond the tolerance are
-/// raised where contacts close; schemes that damp nothing lower them along this spring. Lowered at another gap
-/// than they were raised at, they would do work in every cycle of loading.
-double secant_stiffness(double force, double gap, double tolerance) {
-  return force * gap < 0 ? std::abs(force) / std::max(std::abs(gap), negligible_gap * tolerance) : 0;
-}
-
 }  // namespace
 
 AugmentedContacts::AugmentedContacts(const StepSystem& system, const ContactSolverOptions& options,
@@ -75,17 +68,17 @@ void AugmentedContacts::begin(Contact& contact, Multiplier& multiplier) const {
   if (std::isfinite(lower_stiffness))
     law.normal_stiffness = std::clamp(law.normal_stiffness, least_stiffness_ratio * lower_stiffness,
                                       largest_stiffness_ratio * lower_stiffness);
-  const double start_gap = contact.first_gap().constant - history.gap_offset;
-  if (leaves_gaps() && contact.closed())
+  const double start_gap = contact.first_gap().constant - history.gap_offset,
+               least_gap = negligible_gap * options_.penetration_tolerance * contact.size;
+  // Forces raised beyond the tolerance fall along this spring: at other gaps cycles of loading would do work.
+  if (leaves_gaps() && contact.closed() && history.normal * start_gap < 0)
     law.normal_stiffness =
-        std::max(law.normal_stiffness,
-                 secant_stiffness(history.normal, start_gap, options_.penetration_tolerance * contact.size));
+        std::max(law.normal_stiffness, std::abs(history.normal) / std::max(std::abs(start_gap), least_gap));
   law.tangential_stiffness = ratio * law.normal_stiffness;
   if (!contact.closed()) return;
-  multiplier.normal = history.normal;
+  multiplier.normal = history.normal + law.normal_stiffness * kept(start_gap, history.halvings, contact.size);
   multiplier.shear = history.shear;
   multiplier.sliding = is_slipping(history.state);
-  multiplier.normal += law.normal_stiffness * kept(start_gap, history.halvings, contact.size);
   if (!multiplier.sliding && (law.has_friction() || multiplier.bonded))
     multiplier.shear += law.tangential_stiffness * kept(contact.first_slip().constant, 0, contact.size);
 }
@@ -165,21 +158,18 @@ void AugmentedContacts::raise_multipliers(const VectorXd& d) {
   for (std::size_t c = 0; c < size(); ++c) {
     if (contacts_[c].law.compliant) continue;
     Multiplier& multiplier = multipliers_[c];
+    const double left = leaves_gaps() ? options_.penetration_tolerance * contacts_[c].size / 2 : 0;
     multiplier.normal = elastic_normal(c, d);
-    multiplier.shear = forces_[c].shear;
-    if (leaves_gaps() && springs_[c].normal.acts()) {
-      const double left = options_.penetration_tolerance * contacts_[c].size / 2;
+    if (springs_[c].normal.acts())
       multiplier.normal += contacts_[c].law.normal_stiffness * std::clamp(terms_[c].gap(d), -left, left);
-    }
+    multiplier.shear = forces_[c].shear;
     multiplier.sliding = is_sliding(c);
   }
 }
 
 /// N without the dashpot's part.
 double AugmentedContacts::elastic_normal(std::size_t c, const VectorXd& d) const {
-  const Contact& contact = contacts_[c];
-  return springs_[c].normal.acts() ? forces_[c].normal - contact.dashpot_force(gap_at(c, d))
-                                   : forces_[c].normal;
+  return forces_[c].normal - (springs_[c].normal.acts() ? contacts_[c].dashpot_force(gap_at(c, d)) : 0);
 }
 
 bool AugmentedContacts::are_close(const VectorXd& d, double tolerances, int& worst) const {
@@ -228,15 +218,11 @@ void AugmentedContacts::settle([[maybe_unused]] double negligible) {
     const bool bonded = multipliers_[c].bonded;
     assert(is_admissible(contact.law, bonded, forces_[c], negligible));
     const bool closed = forces_[c].normal > 0 || (bonded && contact.closed());
-    ContactState& state = contact.history.state;
-    if (!closed)
-      state = ContactState::open;
-    else if (!contact.law.has_friction() && !bonded)
-      state = ContactState::slip_forward;
-    else if (is_sliding(c))
-      state = forces_[c].shear < 0 ? ContactState::slip_forward : ContactState::slip_backward;
-    else
-      state = ContactState::stick;
+    contact.history.state = !closed                                  ? ContactState::open
+                            : !contact.law.has_friction() && !bonded ? ContactState::slip_forward
+                            : !is_sliding(c)                         ? ContactState::stick
+                            : forces_[c].shear < 0                   ? ContactState::slip_forward
+                                                                     : ContactState::slip_backward;
     contact.was_closed = contact.was_closed || closed;
     contact.normal = forces_[c].normal;
     contact.shear = forces_[c].shear;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -168,4 +169,56 @@ TEST(ConservingSchemes, GainNothingUnderSuddenGravity) {
       EXPECT_LE(largest, 1e-2 * exchanged)
           << "scheme " << static_cast<int>(scheme) << ", " << time_step << " s";
     }
+}
+
+/// A force that rises and falls ten times between none and 50 MPa, far beyond what the tolerance allows the
+/// springs: forces are raised and lowered at the same gaps.
+TEST(ConservingSchemes, GainNothingFromCyclesOfPressing) {
+  constexpr int steps = 200, steps_a_cycle = 20;
+  Scene scene = explicit_scene(1e-2, steps);
+  scene.analysis.scheme = Scheme::midpoint;
+  scene.materials = {{"rock", 2500, 3.5e10, 0.2}};
+  scene.contact.normal_stiffness = 1.4e12;
+  scene.contact.tangential_stiffness = 5.6e11;
+  scene.blocks = {block(rectangle(-1, -1, 4, 1), true), block(rectangle(0, 0, 2, 1))};
+  TimeFunction pressing{TimeFunction::Kind::history};
+  for (int k = 0; k <= steps; ++k)
+    pressing.history.emplace_back(k * 1e-2, 0,
+                                  -2.5e7 * (1 - std::cos(2 * std::numbers::pi * k / steps_a_cycle)));
+  scene.loads = {body_load(1, pressing)};
+  const BuiltScene built = build(scene);
+  const EnergyLedger& ledger = built.stepper->energy();
+  double gained = 0, exchanged = 0;
+  for (int k = 0; k < steps; ++k) {
+    run(*built.stepper, 1);
+    gained =
+        std::max(gained, ledger.now.kinetic + ledger.now.elastic + ledger.now.gravity - ledger.now.external);
+    exchanged = std::max(exchanged, ledger.now.elastic);
+  }
+  EXPECT_GT(exchanged, 1e4);
+  EXPECT_LE(gained, 5e-3 * exchanged);
+}
+
+/// A soft block on the floor vibrates as its first fall leaves it vibrating.
+TEST(ConservingSchemes, SoftBlocksVibrateNoMoreThanAtFirst) {
+  for (const Scheme scheme : {Scheme::central_difference, Scheme::midpoint}) {
+    Scene scene = explicit_scene(1e-3, 10000);
+    scene.analysis.scheme = scheme;
+    scene.materials = {{"soft", 2500, 1e7, 0.2}};
+    scene.contact.normal_stiffness = 4e8;
+    scene.contact.tangential_stiffness = 1.6e8;
+    scene.blocks = {block(rectangle(-1, -1, 4, 1), true), block(rectangle(0, 0, 2, 1))};
+    const BuiltScene built = build(scene);
+    const auto peak = [&](int n) {
+      double largest = 0;
+      for (int k = 0; k < n; ++k) {
+        run(*built.stepper, 1);
+        largest = std::max(largest, built.stepper->energy().now.kinetic);
+      }
+      return largest;
+    };
+    const double first = peak(1000);
+    EXPECT_GT(first, 1);
+    EXPECT_LE(peak(9000), 1.02 * first) << "scheme " << static_cast<int>(scheme);
+  }
 }
