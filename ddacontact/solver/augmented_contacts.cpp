@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 namespace ddacontact {
 
@@ -17,14 +18,18 @@ constexpr double least_stiffness_ratio = 10, largest_stiffness_ratio = 1000;
 /// tolerance. Schemes that damp nothing correct the latter alone, since forces that follow the sum of past
 /// gaps drive vibrations: their contacts are stiffer by what corrections would add up to.
 constexpr double corrected_part = 0.2;
+/// Forces that they have raised beyond the tolerance fall along the spring through the force and the gap
+/// reached: at other gaps than they rose at, cycles of loading would do work. Gaps below this part of the
+/// tolerance tell nothing of that spring.
+constexpr double least_raised = 0.01;
 
-/// Complementarity: no tension beyond a bond's, no shear beyond the bound, up to round-off and `negligible`,
-/// N per m.
+/// Complementarity: no tension beyond a bond's, no shear beyond the bound, up to half the digits and
+/// `negligible`, N per m.
 [[maybe_unused]] bool is_admissible(const JointLaw& law, bool bonded, const ContactForce& force,
                                     double negligible) {
-  constexpr double round_off = 1e-6;
+  constexpr double half_the_digits = std::numeric_limits<float>::epsilon();
   const double bound = shear_bound(law, force.normal, bonded),
-               allowed = negligible + round_off * (std::abs(force.normal) + std::abs(force.shear));
+               allowed = negligible + half_the_digits * (std::abs(force.normal) + std::abs(force.shear));
   return std::isfinite(allowed) && force.normal >= -(bonded ? law.tension : 0) - allowed &&
          (law.glued || std::abs(force.shear) <= bound + allowed);
 }
@@ -68,12 +73,11 @@ void AugmentedContacts::begin(Contact& contact, Multiplier& multiplier) const {
   if (std::isfinite(lower_stiffness))
     law.normal_stiffness = std::clamp(law.normal_stiffness, least_stiffness_ratio * lower_stiffness,
                                       largest_stiffness_ratio * lower_stiffness);
-  const double start_gap = contact.first_gap().constant - history.gap_offset,
-               least_gap = negligible_gap * options_.penetration_tolerance * contact.size;
-  // Forces raised beyond the tolerance fall along this spring: at other gaps cycles of loading would do work.
-  if (leaves_gaps() && contact.closed() && history.normal * start_gap < 0)
-    law.normal_stiffness =
-        std::max(law.normal_stiffness, std::abs(history.normal) / std::max(std::abs(start_gap), least_gap));
+  const double start_gap = contact.first_gap().constant - history.gap_offset, force = history.normal,
+               least_gap = least_raised * options_.penetration_tolerance * contact.size;
+  if (leaves_gaps() && contact.closed() && force * start_gap < 0 &&
+      std::abs(force) > law.normal_stiffness * (std::abs(start_gap) + least_gap))
+    law.normal_stiffness = std::abs(force) / std::max(std::abs(start_gap), least_gap);
   law.tangential_stiffness = ratio * law.normal_stiffness;
   if (!contact.closed()) return;
   multiplier.normal = history.normal + law.normal_stiffness * kept(start_gap, history.halvings, contact.size);
@@ -179,8 +183,7 @@ bool AugmentedContacts::are_close(const VectorXd& d, double tolerances, int& wor
   for (std::size_t c = 0; c < size(); ++c) {
     if (contacts_[c].law.compliant) continue;
     const double tolerance = tolerances * options_.penetration_tolerance * contacts_[c].size;
-    double error = 0;
-    if (springs_[c].normal.acts()) error = std::abs(terms_[c].gap(d));
+    double error = springs_[c].normal.acts() ? std::abs(terms_[c].gap(d)) : 0;
     if (springs_[c].tangential.acts() && forces_[c].shear != 0)
       error = std::max(error, std::abs(terms_[c].slip(d)));
     if (error > furthest * tolerance) {
