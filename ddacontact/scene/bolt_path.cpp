@@ -1,5 +1,6 @@
 #include <ddacontact/scene/bolt_path.hpp>
 
+#include <ddacontact/detection/broad_phase.hpp>
 #include <ddacontact/scene/outline_distance.hpp>
 #include <polyfem/geometry/area_moments.hpp>
 #include <polyfem/geometry/validity.hpp>
@@ -33,25 +34,20 @@ std::vector<double> crossings(const RockBolt& bolt, const Points& polygon) {
 }
 
 bool may_meet(const RockBolt& bolt, const Points& polygon) {
-  const Vec2 low = bolt.from.cwiseMin(bolt.to), high = bolt.from.cwiseMax(bolt.to);
-  return (low.array() <= polygon.rowwise().maxCoeff().array()).all() &&
-         (high.array() >= polygon.rowwise().minCoeff().array()).all();
+  return touch({bolt.from.cwiseMin(bolt.to), bolt.from.cwiseMax(bolt.to)}, bounding_box(polygon));
 }
 
 }  // namespace
 
 std::vector<int> blocks_at(const Vec2& point, const std::vector<BlockDescription>& blocks) {
   std::vector<int> found;
-  const auto may_hold = [&](const Points& polygon) {
-    const Vec2 low = polygon.rowwise().minCoeff(), high = polygon.rowwise().maxCoeff();
-    const double near = bolt_tolerance * (high - low).norm();
-    return (point.array() >= low.array() - near).all() && (point.array() <= high.array() + near).all();
-  };
-  for (std::size_t b = 0; b < blocks.size(); ++b)
-    if (may_hold(blocks[b].vertices) &&
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    const Box box = bounding_box(blocks[b].vertices);
+    if (touch(widened({point, point}, bolt_tolerance * (box.high - box.low).norm()), box) &&
         (polyfem::contains(blocks[b].vertices, point) ||
          scene_format::distance_to_outline(point, blocks[b].vertices) <= bolt_tolerance * size_of(blocks[b])))
       found.push_back(static_cast<int>(b));
+  }
   return found;
 }
 
