@@ -130,7 +130,9 @@ double BlockMotion::stored_energy(const VectorIn& d) const {
     using Vectors = typename Of::Vectors;
     const Vectors middle = array<Of>(shape_now) - shape_.motions().nodes + way.deformation / 2;
     double stored = times_stiffness<Of>(middle).cwiseProduct(way.deformation).sum();
-    if (has_stress()) stored += array<Of>(stress_forces).cwiseProduct(way.deformation).sum();
+    const Index n_without = n_numbers + stress_forces * shape_.motions().n_nodes();
+    if (std::ssize(start_.arrays) > n_without)
+      stored += array<Of>(stress_forces).cwiseProduct(way.deformation).sum();
     return stored;
   });
 }

@@ -88,9 +88,6 @@ class BlockMotion {
   typename Of::Vectors left_of_shape() const {
     return left(typename Of::Vectors(array<Of>(shape_now)));
   }
-  bool has_stress() const {
-    return static_cast<Index>(start_.arrays.size()) > n_numbers + stress_forces * shape_.motions().n_nodes();
-  }
 
   const CorotationalShape& shape_;
   const CorotationalStart& start_;

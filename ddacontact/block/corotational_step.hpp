@@ -84,11 +84,10 @@ class CorotationalStep {
     const Vectors y1 = y0() + nodes_.to_nodes(d);
     for (std::size_t c = 0; c < parts.size(); ++c) {
       const ShapeCell& cell = nodes_.shape().cells[c];
-      const Mat2 end = nodes_.cell_rotation(y1, c);
-      polyfem::rotate(
-          start_.matrices->tangents[c],
-          rule_.directions() == Directions::of_end ? end : polyfem::mid_rotation(start_rotation(c), end),
-          parts[c]);
+      Mat2 rotation = nodes_.cell_rotation(y1, c);
+      if (rule_.directions() != Directions::of_end)
+        rotation = polyfem::mid_rotation(turned_to(start_.arrays[at_.cell(cell, c)]), rotation);
+      polyfem::rotate(start_.matrices->tangents[c], rotation, parts[c]);
       const MatrixXd& B = cell.nodes_by_unknowns;
       if (B.size() > 0) parts[c] = (B.transpose() * parts[c] * B).eval();
     }
@@ -185,9 +184,6 @@ class CorotationalStep {
   Array array(Index column, Index n) const { return {start_.arrays[column].data(), 2, n}; }
   Array velocity() const { return array(at_.velocity, nodes_.n_nodes()); }
   Array acceleration() const { return array(at_.acceleration, nodes_.n_nodes()); }
-  Mat2 start_rotation(std::size_t c) const {
-    return turned_to(start_.arrays[at_.cell(nodes_.shape().cells[c], c)]);
-  }
   Frame start_frame(std::size_t c) const {
     const ShapeCell& cell = nodes_.shape().cells[c];
     const Index k = at_.cell(cell, c);

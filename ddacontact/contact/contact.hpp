@@ -17,11 +17,12 @@ namespace ddacontact {
 struct ContactHistory {
   double lock = 0;        ///< the lock point o as a fraction of the edge from j (0) to k (1)
   double gap_offset = 0;  ///< the gap that counts as none, m. < 0: the overlap it started with, taken as
-                          ///< stress-free; > 0: one that glue or a block that came in has filled, what
-                          ///< dilation has lifted, or the stress at the start has closed
-  double length = 0;      ///< over which cohesion and tensile strength act, m
-  double normal = 0;      ///< N at the end of the last step: where the multipliers start
-  double shear = 0;       ///< T at the end of the last step
+      ///< stress-free, or what is left of a step that its corner has passed; > 0: one that
+      ///< glue or a block that came in has filled, what dilation has lifted, or the
+      ///< stress at the start has closed
+  double length = 0;  ///< over which cohesion and tensile strength act, m
+  double normal = 0;  ///< N at the end of the last step: where the multipliers start
+  double shear = 0;   ///< T at the end of the last step
   /// The part of `length` on another joint, m: beyond the end of the edge, or, < 0, before its start. In
   /// single precision, which keeps contacts small.
   float length_beyond = 0;

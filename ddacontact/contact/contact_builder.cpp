@@ -23,11 +23,14 @@ constexpr double skin_of_margin = 4;
 /// What one thread works on at a time.
 constexpr Index of_range = 256;
 
+/// Whether a corner is no further behind the line that it meets than joints are flush.
+static bool is_flush(const ContactProperties& properties, const Contact& contact) {
+  return properties.lip < inf && contact.gap > -properties.lip * contact.size && !contact.law.compliant;
+}
+
 ContactBuilder::ContactBuilder(const BlockSystem& blocks, ContactProperties properties)
     : blocks_(blocks), properties_(std::move(properties)) {
   std::vector<int> n_vertices;
-  half_width_.reserve(blocks.n_blocks());
-  size_.reserve(blocks.n_blocks());
   for (int b = 0; b < blocks.n_blocks(); ++b) {
     const Block& block = blocks.block(b);
     half_width_.push_back(half_width(block.reference().leftCols(block.n_vertices())));
@@ -105,8 +108,7 @@ std::span<const CoveredPart> ContactBuilder::covered_of(const Pair& pair) const 
 }
 
 void ContactBuilder::find_contacts_of(const Pair& pair, const BlockState& state, const VectorXd& motion,
-                                      std::span<const ContactRecord> previous, bool ties,
-                                      FoundContacts& found) const {
+                                      std::span<const ContactRecord> previous, FoundContacts& found) const {
   thread_local Points shifted_b, moved_a, moved_b;
   thread_local std::vector<EarlierContact> earlier;
   const auto [a, b] = pair;
@@ -126,7 +128,7 @@ void ContactBuilder::find_contacts_of(const Pair& pair, const BlockState& state,
     // So is one that was crushed, or is to rise to where dilation lifts it.
     if (any_shifted && contact.closed() && properties_.strength(contact.pair).shifts())
       offset = std::min(offset, gap(positions_of(blocks_, state, contact.pair)));
-    earlier.push_back({contact.pair, offset, ties && contact.closed(), ties});
+    earlier.push_back({contact.pair, offset, contact.closed()});
   }
   const auto move = [&](int block, const PointsRef& outline, Points& moved) {
     if (moved.cols() < outline.cols()) moved.resize(2, outline.cols());
@@ -184,9 +186,8 @@ void ContactBuilder::leave_out_idle(const Pair& pair, const BlockState& state,
 
 std::size_t ContactBuilder::detect(const BlockState& state, const VectorXd& motion,
                                    const std::vector<double>& search_margin,
-                                   const std::vector<ContactRecord>& previous, bool ties) {
+                                   const std::vector<ContactRecord>& previous) {
   search_margin_ = search_margin;
-  ties_ = ties;
   const double rise = properties_.joints.largest_rise();
   for (double& margin : search_margin_) margin += rise / 2;
   closure_.clear();
@@ -205,7 +206,7 @@ std::size_t ContactBuilder::detect(const BlockState& state, const VectorXd& moti
     found.contacts.clear();
     found.choices.clear();
     for (Index p = begin; p < end; ++p)
-      find_contacts_of(pairs_[p], state, motion, of_pair(pairs_[p], previous), ties, found);
+      find_contacts_of(pairs_[p], state, motion, of_pair(pairs_[p], previous), found);
   };
   polyfem::for_ranges(n, of_range, std::ref(check_pairs));
   choices_.clear();
@@ -238,6 +239,8 @@ Contact ContactBuilder::make_contact(const BlockState& state, const VertexEdge& 
   if (pair.corner) contact.straight_before = contact.straight_after = inf;
   contact.size = pair_size(pair.vertex_block, pair.edge_block);
   contact.law = properties_.law(contact);
+  // A corner that passes a step goes on with the gap that it has.
+  if (is_flush(properties_, contact)) contact.history.gap_offset = std::min(contact.gap, 0.0);
   return contact;
 }
 
@@ -297,9 +300,11 @@ Contact ContactBuilder::carry_over(const BlockState& state, const VertexEdge& pa
     if (old->pair != pair || contact.motion.rounding)
       contact.history.lock = fraction - old->end_slip / contact.edge_length();
     if (is_slipping(contact.history.state)) contact.history.lock = fraction;
+    if (old->pair != pair && is_flush(properties_, contact))
+      contact.history.gap_offset = std::min(contact.history.gap_offset, contact.gap - old->end_gap);
   }
   if (!contact.closed() && contact.gap - contact.history.gap_offset < -contact.length_tolerance() &&
-      contact.is_on_edge(contact.first_slip().constant)) {
+      contact.starts_on_edge()) {
     contact.history.state = contact.law.frictionless() ? ContactState::slip_forward : ContactState::stick;
     if (contact.law.compliant)
       contact.history.normal = contact.law.normal_stiffness * (contact.history.gap_offset - contact.gap);
@@ -332,9 +337,8 @@ void ContactBuilder::start_from(const BlockState& state, Contact& contact) const
 
 void ContactBuilder::build(const BlockState& state, const VectorXd& motion,
                            const std::vector<double>& search_margin,
-                           const std::vector<ContactRecord>& previous, std::vector<Contact>& contacts,
-                           bool ties) {
-  contacts.resize(detect(state, motion, search_margin, previous, ties));
+                           const std::vector<ContactRecord>& previous, std::vector<Contact>& contacts) {
+  contacts.resize(detect(state, motion, search_margin, previous));
   const auto carry_on_range = [&](Index begin, Index /*end*/) {
     std::size_t c = first_found_[begin];
     for (std::span<const VertexEdge> rest = found_in_[begin].contacts; !rest.empty();) {

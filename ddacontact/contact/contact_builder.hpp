@@ -35,15 +35,15 @@ class ContactBuilder {
   /// onto the next edge where that is collinear, or across a corner onto the neighbour's vertex.
   /// \param[in] motion  displacements of all unknowns predicted for the step: of lines that a corner may meet
   ///   they tell which
-  /// \param[in] ties  where the motion does not tell, a corner goes on with the line that it met before
   void build(const BlockState& state, const VectorXd& motion, const std::vector<double>& search_margin,
-             const std::vector<ContactRecord>& previous, std::vector<Contact>& contacts, bool ties = true);
+             const std::vector<ContactRecord>& previous, std::vector<Contact>& contacts);
   /// Whether some corner may meet more than one line: contacts built last depend on the motion.
   bool has_choices() const { return !choices_.empty(); }
   /// Numbers of the doubtful contacts among those built last: they bear more than `least_force` (N per m) in
   /// a solution of the step although nothing told that their corner could not go the other way. With them the
   /// others of the same two blocks that nothing told of.
-  std::vector<int> find_doubtful(const std::vector<Contact>& contacts, double least_force);
+  /// \param[in] kept_too  that it was closed before does not tell either
+  std::vector<int> find_doubtful(const std::vector<Contact>& contacts, double least_force, bool kept_too);
   /// Chooses the lines that corners meet anew, by the motion of a solution. False: the contacts are the same.
   bool choose_again(const BlockState& state, const VectorXd& motion,
                     const std::vector<ContactRecord>& previous, std::vector<Contact>& contacts);
@@ -84,14 +84,12 @@ class ContactBuilder {
   /// Finds the vertices and edges that may meet while no vertex of block b moves more than search_margin[b],
   /// ordered by the pairs of blocks; those of `previous` win ties. How many there are.
   std::size_t detect(const BlockState& state, const VectorXd& motion,
-                     const std::vector<double>& search_margin, const std::vector<ContactRecord>& previous,
-                     bool ties);
+                     const std::vector<double>& search_margin, const std::vector<ContactRecord>& previous);
   /// Outlines and boxes of the blocks; the pairs of those that may meet.
   void find_pairs(const BlockState& state);
   /// Appends the contacts of a pair, and where they were preferred to others.
-  /// \param[in] ties  earlier contacts win ties
   void find_contacts_of(const Pair& pair, const BlockState& state, const VectorXd& motion,
-                        std::span<const ContactRecord> previous, bool ties, FoundContacts& found) const;
+                        std::span<const ContactRecord> previous, FoundContacts& found) const;
   /// Leaves out the contacts whose forces no one can tell, or that stand for no length yet.
   void leave_out_idle(const Pair& pair, const BlockState& state, std::span<const ContactRecord> previous,
                       std::vector<VertexEdge>& found, std::size_t first) const;
@@ -107,7 +105,7 @@ class ContactBuilder {
   /// supports do, as at a held end of the edge, there is nothing to solve: the force between them is theirs.
   bool can_change(const BlockState& state, const VertexEdge& pair,
                   std::span<const ContactRecord> previous) const;
-  bool choose_anew(const std::set<Pair>& pairs, const BlockState& state, const VectorXd& motion, bool ties,
+  bool choose_anew(const std::set<Pair>& pairs, const BlockState& state, const VectorXd& motion,
                    const std::vector<ContactRecord>& previous, std::vector<Contact>& contacts);
   /// Relation of a contact to one of the step before, the nearest first: the same; its vertex with an edge
   /// that is collinear with its own; where vertex meets vertex, the other vertex with this one's edge.
@@ -146,11 +144,9 @@ class ContactBuilder {
   /// Writes the part of the length on another joint. Where a vertex of the other face is near either may bear
   /// the force: the joints that a vertex meets are those between its neighbours on its own face.
   void set_length_beyond(const BlockState& state, ContactRecord& contact) const;
-  /// Whether contacts of one place are not told apart by the search: those of joints with a stiffness, which
-  /// strains move apart, and all of rounded blocks.
-  bool has_places(const VertexEdge& of) const;
   /// Whether two contacts are of the same two faces and of one place along them, where a vertex of either
-  /// lies on a vertex of the other: together they would stand for the faces twice.
+  /// lies on a vertex of the other: together they would stand for the faces twice. The search tells them apart
+  /// but for joints with a stiffness, which strains move apart, and rounded blocks.
   bool are_at_one_place(const BlockState& state, const VertexEdge& a, const VertexEdge& b) const;
   /// Leaves one of contacts at one place: one that was closed, then one that lies along the other face, then
   /// one of a corner, where faces end.
@@ -183,7 +179,6 @@ class ContactBuilder {
   std::vector<FoundContacts> found_in_;  ///< by `detect`, in each range of pairs
   std::vector<Choice> choices_;          ///< of all
   std::set<Pair> doubtful_;
-  bool ties_ = false;                     ///< earlier contacts won ties when the contacts were built
   std::vector<std::size_t> first_found_;  ///< of each range, among all
   std::vector<VertexEdge> missed_;
 };

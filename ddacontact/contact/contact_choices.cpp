@@ -3,18 +3,18 @@
 
 namespace ddacontact {
 
-std::vector<int> ContactBuilder::find_doubtful(const std::vector<Contact>& contacts, double least_force) {
+std::vector<int> ContactBuilder::find_doubtful(const std::vector<Contact>& contacts, double least_force,
+                                               bool kept_too) {
   doubtful_.clear();
+  std::set<int> open;
   for (const Choice& choice : choices_)
     for (const Contact& contact : of_same_pair(choice.chosen, contacts))
-      if (choice.open && contact.pair == choice.chosen && contact.normal > least_force)
-        doubtful_.insert(pair_of(contact));
-  std::set<int> numbers;
-  for (const Choice& choice : choices_)
-    for (const Contact& contact : of_same_pair(choice.chosen, contacts))
-      if (choice.open && contact.pair == choice.chosen && doubtful_.contains(pair_of(contact)))
-        numbers.insert(static_cast<int>(&contact - contacts.data()));
-  return {numbers.begin(), numbers.end()};
+      if (choice.open && (!choice.kept || (kept_too && !contact.has_bond())) && contact.pair == choice.chosen)
+        open.insert(static_cast<int>(&contact - contacts.data()));
+  for (const int c : open)
+    if (contacts[c].normal > least_force) doubtful_.insert(pair_of(contacts[c]));
+  std::erase_if(open, [&](int c) { return !doubtful_.contains(pair_of(contacts[c])); });
+  return {open.begin(), open.end()};
 }
 
 bool ContactBuilder::choose_again(const BlockState& state, const VectorXd& motion,
@@ -22,27 +22,26 @@ bool ContactBuilder::choose_again(const BlockState& state, const VectorXd& motio
                                   std::vector<Contact>& contacts) {
   std::set<Pair> pairs;
   for (const Choice& choice : choices_) pairs.insert(block_pair(choice.chosen));
-  return choose_anew(pairs, state, motion, true, previous, contacts);
+  return choose_anew(pairs, state, motion, previous, contacts);
 }
 
 bool ContactBuilder::decide_doubtful(const BlockState& state, const VectorXd& without,
                                      const std::vector<ContactRecord>& previous,
                                      std::vector<Contact>& contacts) {
-  const bool changed = choose_anew(doubtful_, state, without, ties_, previous, contacts);
+  const bool changed = choose_anew(doubtful_, state, without, previous, contacts);
   std::erase_if(choices_,
                 [&](const Choice& choice) { return doubtful_.contains(block_pair(choice.chosen)); });
   return changed;
 }
 
 bool ContactBuilder::choose_anew(const std::set<Pair>& pairs, const BlockState& state, const VectorXd& motion,
-                                 bool ties, const std::vector<ContactRecord>& previous,
-                                 std::vector<Contact>& contacts) {
+                                 const std::vector<ContactRecord>& previous, std::vector<Contact>& contacts) {
   std::erase_if(choices_, [&](const Choice& choice) { return pairs.contains(block_pair(choice.chosen)); });
   bool changed = false;
   for (const Pair& pair : pairs) {
     FoundContacts anew;
     const std::span<const ContactRecord> old = of_pair(pair, previous);
-    find_contacts_of(pair, state, motion, old, ties, anew);
+    find_contacts_of(pair, state, motion, old, anew);
     const std::vector<VertexEdge>& found = anew.contacts;
     choices_.insert(choices_.end(), anew.choices.begin(), anew.choices.end());
     const std::span<const Contact> before = of_pair(pair, contacts);

@@ -17,7 +17,8 @@ constexpr double same_place = near_corner;
 bool ContactBuilder::are_at_one_place(const BlockState& state, const VertexEdge& a,
                                       const VertexEdge& b) const {
   const bool same_vertex = a.vertex_block == b.vertex_block;
-  if (a == b || a.corner || b.corner || (same_vertex && a.vertex != b.vertex) || !has_places(a)) return false;
+  if (a == b || a.corner || b.corner || (same_vertex && a.vertex != b.vertex)) return false;
+  if (!properties_.strength(a).is_compliant() && !blocks_.has_rounded_corners()) return false;
   const VertexEdgePositions one = positions_of(blocks_, state, a), other = positions_of(blocks_, state, b);
   const Vec2 apart = other.i + (state.origin.col(b.edge_block) - state.origin.col(a.edge_block)) - one.i;
   // Edges of one face run the same way, those of two faces that touch against each other.
@@ -56,10 +57,6 @@ void ContactBuilder::leave_out_friction(Contact& contact) const {
     return;
   contact.law.friction = 0;
   contact.law.friction_law = nullptr;
-}
-
-bool ContactBuilder::has_places(const VertexEdge& of) const {
-  return properties_.strength(of).is_compliant() || blocks_.has_rounded_corners();
 }
 
 void ContactBuilder::leave_one_a_place(const BlockState& state, std::span<const ContactRecord> previous,

@@ -51,7 +51,7 @@ void ContactBuilder::begin(const BlockState& state, std::span<const VertexEdge> 
                            Contact& contact) const {
   const double near = comes_in ? ContactProperties::default_lip : coincidence;
   ContactHistory& history = contact.history;
-  if (contact.gap <= near * contact.size && contact.is_on_edge(contact.first_slip().constant)) {
+  if (contact.gap <= near * contact.size && contact.starts_on_edge()) {
     history.bonded = true;
     set_length(state, found, contact);
     history.gap_offset = comes_in || properties_.is_glued(contact) ? contact.gap : std::min(contact.gap, 0.0);
@@ -68,7 +68,7 @@ std::vector<Contact> ContactBuilder::build_first(const BlockState& state, const 
                                                  const std::vector<int>& coming) {
   std::vector<Contact> contacts;
   begins_ = true;
-  contacts.reserve(detect(state, motion, search_margin, {}, false));
+  contacts.reserve(detect(state, motion, search_margin, {}));
   begins_ = false;
   for (const auto& [found, choices] : found_in_)
     for (const VertexEdge& pair : found) {
@@ -82,9 +82,8 @@ std::vector<Contact> ContactBuilder::build_first(const BlockState& state, const 
 void ContactBuilder::glue(Contact& contact) const {
   ContactHistory& history = contact.history;
   if (!contact.closed()) {
-    const bool touches = std::abs(contact.gap - history.gap_offset) <= coincidence * contact.size &&
-                         contact.is_on_edge(contact.first_slip().constant);
-    if (!touches) return;
+    if (std::abs(contact.gap - history.gap_offset) > coincidence * contact.size) return;
+    if (!contact.starts_on_edge()) return;
     history.gap_offset = contact.gap;
   }
   history.state = ContactState::stick;

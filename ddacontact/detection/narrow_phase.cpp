@@ -68,23 +68,26 @@ struct Passage {
   }
 };
 
-/// By what the line that is passed last is found: the time; of those that are not passed an earlier contact
-/// comes last, then the one that the motion violates least, beyond what it was violated before; one that a
-/// vertex behind it moves away from is not what stops it and counts with all of its violation.
+/// By what the line that is passed last is found: the time; of those that are not passed the one that the motion
+/// violates least, beyond what it was violated before and by more than forces press in, then an earlier contact.
+/// One that a vertex behind it moves away from is not what stops it and counts with all of its violation. Where no
+/// line is ever passed, by the paper's preset, gaps tell.
 struct Order {
-  double time;
+  double time, violation;
   bool kept;
-  double violation, end_gap;
+  double end_gap;
 
-  Order(const Candidate& of, const Passage& passage)
+  Order(const Candidate& of, const Passage& passage, const PairLimits& limits)
       : time(passage.time),
+        violation(passage.end_gap - (passage.end_gap > of.gap ? 0 : std::min(of.gap, 0.0))),
         kept(of.kept),
-        violation(std::min(passage.end_gap - (passage.end_gap > of.gap ? 0 : std::min(of.gap, 0.0)), 0.0)),
-        end_gap(passage.end_gap) {}
+        end_gap(passage.end_gap) {
+    if (violation > -limits.pressed_in() || limits.lip == inf) violation = 0;
+  }
   auto operator<=>(const Order&) const = default;
   /// Whether only round-off orders the two.
-  bool ties_with(const Order& other, double round_off) const {
-    return time == other.time && kept == other.kept && std::abs(violation - other.violation) <= round_off;
+  bool ties_with(const Order& other, double pressed_in) const {
+    return time == other.time && std::abs(violation - other.violation) <= pressed_in;
   }
 };
 
@@ -179,7 +182,7 @@ struct Entrances {
       if (!is_within(limits.search_margin, {off, aside})) continue;
       if (!corner.admissible(edge.normal, limits.search_margin, limits.largest_turn)) continue;
       const bool stays = overshoot <= limits.coincidence && before && before->closed;
-      near.push_back({contact, gap, overshoot, edge.normal, offset, before && before->wins_ties, stays,
+      near.push_back({contact, gap, overshoot, edge.normal, offset, before != nullptr, stays,
                       is_covered(e, edge.tangent.dot(x - edge.start))});
       behind = behind || is_behind(near.back());
     }
@@ -237,9 +240,9 @@ struct Entrances {
   }
   bool is_nearer(const Candidate& p, const Candidate& q) const {
     if (p.kept != q.kept) return p.kept;
-    const double round_off = limits.round_off();
-    if (std::abs(p.aside() - q.aside()) > round_off) return p.aside() < q.aside();
-    return std::abs(p.gap) < std::abs(q.gap) - round_off;
+    const double pressed_in = limits.pressed_in();
+    if (std::abs(p.aside() - q.aside()) > pressed_in) return p.aside() < q.aside();
+    return std::abs(p.gap) < std::abs(q.gap) - pressed_in;
   }
 
   /// Of edges between which a vertex can enter only once leaves the one whose line is passed last.
@@ -260,12 +263,13 @@ struct Entrances {
       if (excluding == chosen)
         near[n_chosen++] = near[k];
       else if (!inside)
-        choices.push_back(
-            {excluding->contact, order(*excluding).ties_with(order(near[k]), limits.round_off())});
+        choices.push_back({excluding->contact,
+                           order(*excluding).ties_with(order(near[k]), limits.pressed_in()),
+                           excluding->kept});
     }
     near.resize(n_chosen);
   }
-  Order order(const Candidate& of) const { return {of, Passage(of, a, b, limits.lip)}; }
+  Order order(const Candidate& of) const { return {of, Passage(of, a, b, limits.lip), limits}; }
 
   /// Of a vertex inside: first the edge it came through; of those it is behind else only kept ones and the
   /// other side of a notch.
@@ -333,7 +337,8 @@ void resolve_corner(Candidate& p, const Outline& a, Candidate& q, const Outline&
     // The one that stays is on the same line: what was preferred to others still is.
     const auto& [gone, stays] = p.dropped ? std::tie(p, q) : std::tie(q, p);
     for (Choice& choice : choices)
-      if (gone.dropped && choice.chosen == gone.contact) choice = {stays.contact, choice.open && !stays.kept};
+      if (gone.dropped && choice.chosen == gone.contact)
+        choice = {stays.contact, choice.open, choice.kept || stays.kept};
   } else if (p.kept != q.kept && limits.lip == inf) {
     drop(p.kept ? q : p);
   } else if (p.strict != q.strict) {
@@ -344,12 +349,12 @@ void resolve_corner(Candidate& p, const Outline& a, Candidate& q, const Outline&
     // Both wait for a turn, as two sides that are nearly parallel do: they meet where a vertex is over one.
     drop(p.inside() ? q : p);
   } else {
-    const Order order_p(p, of_p), order_q(q, of_q);
+    const Order order_p(p, of_p, limits), order_q(q, of_q, limits);
     const bool p_last = order_p >= order_q;
     const Candidate& last = p_last ? p : q;
     Candidate& other = p_last ? q : p;
     if (other.gap >= -limits.lip)
-      choices.push_back({last.contact, order_p.ties_with(order_q, limits.round_off())});
+      choices.push_back({last.contact, order_p.ties_with(order_q, limits.pressed_in()), last.kept});
     drop(other);
   }
 }

@@ -45,8 +45,8 @@ struct PairLimits {
   /// A line is behind a vertex inside the other polygon when the vertex is deeper than this.
   double depth_inside() const { return lip < max_depth ? lip : coincidence; }
 
-  /// Differences of gaps below this do not tell anything.
-  double round_off() const { return negligible_gap * coincidence; }
+  /// The forces of a step press contacts in by about this: smaller differences of gaps do not tell anything.
+  double pressed_in() const { return 1e-2 * coincidence; }
 };
 
 /// A contact of the step before.
@@ -54,7 +54,6 @@ struct EarlierContact {
   VertexEdge pair;
   double gap_offset = 0;  ///< <= 0: the gap from which the contact's own gap counts, m
   bool closed = true;
-  bool wins_ties = true;  ///< where it is open
 };
 
 /// A part of an edge of one of the two polygons on which a third one lies: nothing enters there, and a corner
@@ -68,7 +67,8 @@ struct CoveredPart {
 /// A contact whose corner may meet another edge's line as well.
 struct Choice {
   VertexEdge chosen;
-  bool open;  ///< neither an earlier contact nor the predicted motion tells which
+  bool open;  ///< the predicted motion does not tell which
+  bool kept;  ///< it was closed before
 };
 
 /// The contacts of one or several pairs, and where they were preferred to others.

@@ -128,7 +128,7 @@ struct CirclesOnOutline {
   }
   void add(const VertexEdge& contact, double from_end) {
     met.push_back(contact);
-    if (from_end <= limits.search_margin) choices.push_back({contact, false});
+    if (from_end <= limits.search_margin) choices.push_back({contact, false, true});
   }
 };
 

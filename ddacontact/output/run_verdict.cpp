@@ -239,12 +239,6 @@ void add_seen(const Stepper& stepper, std::vector<std::string>& warnings) {
         figure(damping_of_transit * transit_time(stepper.blocks().block(b))) +
         " }, or an implicit scheme and a 'time_step' longer than " +
         figure(transit_time(stepper.blocks().block(b))) + " s)");
-  const double pushed_out = stepper.energy().now.pushed_out, exchanged = stepper.energy().exchanged();
-  if (pushed_out > exchanged / 2)
-    warnings.push_back("contacts that push penetration out put in " + figure(pushed_out) + " J, where " +
-                       figure(exchanged) +
-                       " J are exchanged at most: the motion is theirs, not that of the loads (static stages "
-                       "that reach their 'until' before, a longer 'time_step', or corner_rounding = 0.003)");
   if (stepper.energy().created() > large_rise)
     warnings.push_back(
         "energy rose by " + figure(stepper.energy().created()) +

@@ -1,5 +1,6 @@
 #include <ddacontact/time/contact_histories.hpp>
 
+#include <ddacontact/contact/contact_positions.hpp>
 #include <ddacontact/core/tolerances.hpp>
 #include <ddacontact/time/joint_springs.hpp>
 
@@ -12,18 +13,23 @@ namespace ddacontact {
 
 namespace {
 
-/// A contact that slides rises: the gap that counts as none grows with what of its slip is not its spring's.
-void dilate(const JointStrength& joint, double shear_before, Contact& contact, Energy& energy) {
-  ContactHistory& history = contact.history;
-  const double most = joint.dilation * joint.dilation_slip, before = history.gap_offset;
-  if (!contact.closed() || before >= most) return;
+/// A contact that slides rises. Out of a step that its corner has passed: of the height to which joints are flush
+/// over what is near a corner. By dilation: the gap that counts as none grows with what of its slip is not its
+/// spring's.
+void rise(const ContactProperties& properties, double shear_before, Contact& contact, Energy& energy) {
+  const JointStrength& joint = properties.strength(contact.pair);
+  double& offset = contact.history.gap_offset;
+  if (offset < 0 && properties.lip < inf && !contact.law.compliant)
+    offset = std::min(0.0, offset + properties.lip / near_corner * std::abs(contact.slip_change));
+  const double most = joint.dilation * joint.dilation_slip;
+  if (offset >= most) return;
   const double elastic =
-      contact.law.compliant ? (shear_before - history.shear) / contact.law.tangential_stiffness : 0;
-  const double rise = std::min(joint.dilation * std::abs(contact.slip_change - elastic), most - before);
-  history.gap_offset += rise;
+      contact.law.compliant ? (shear_before - contact.history.shear) / contact.law.tangential_stiffness : 0;
+  const double lift = std::min(joint.dilation * std::abs(contact.slip_change - elastic), most - offset);
+  offset += lift;
   // The next step rises by it, and books the work of that as the scheme's.
-  energy.friction_dissipated -= contact.normal * rise;
-  energy.numerical_dissipated += contact.normal * rise;
+  energy.friction_dissipated -= contact.normal * lift;
+  energy.numerical_dissipated += contact.normal * lift;
 }
 
 /// Forces that the next step begins with.
@@ -68,7 +74,7 @@ ContactEnds end_histories(const ContactProperties& properties, bool is_static, b
     const double shear_before = history.shear;
     hand_on_forces(contact.closed() && (properties.has_multipliers() || contact.law.compliant), means,
                    contact);
-    if (is_slipping(history.state)) dilate(properties.strength(contact.pair), shear_before, contact, energy);
+    if (is_slipping(history.state)) rise(properties, shear_before, contact, energy);
     const bool slid = is_slipping(history.state) && !contact.law.frictionless() && !contact.law.ductile;
     if (slid || !contact.closed()) history.bonded = false;
     assert(std::isfinite(history.normal) && std::isfinite(history.shear) &&

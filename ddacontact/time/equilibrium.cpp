@@ -11,14 +11,6 @@ namespace ddacontact {
 
 namespace {
 
-std::vector<double> largest_contacts(const BlockSystem& blocks, const std::vector<Contact>& contacts) {
-  std::vector<double> largest(static_cast<std::size_t>(blocks.n_blocks()), 0);
-  for (const Contact& contact : contacts)
-    for (int b : contact.pair.blocks())
-      largest[b] = std::max(largest[b], std::hypot(contact.normal, contact.shear));
-  return largest;
-}
-
 /// Kinetic energy and the fastest vertex.
 Equilibrium find_motion(const BlockSystem& blocks, const VectorXd& velocity) {
   Equilibrium found;
@@ -61,7 +53,10 @@ Equilibrium find_equilibrium(const StepSystem& system, const VectorXd& straight,
                              const std::vector<Contact>& contacts, const Points& reactions,
                              const VectorXd& velocity) {
   const BlockSystem& blocks = system.blocks();
-  const std::vector<double> of_contacts = largest_contacts(blocks, contacts);
+  std::vector<double> of_contacts(static_cast<std::size_t>(blocks.n_blocks()), 0);  // the largest
+  for (const Contact& contact : contacts)
+    for (int b : contact.pair.blocks())
+      of_contacts[b] = std::max(of_contacts[b], std::hypot(contact.normal, contact.shear));
   VectorXd total = residual.external;
   for (const PrescribedDof& held : blocks.prescribed_dofs())
     total[held.unknown] += residual.force[held.unknown];

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 namespace ddacontact {
 
@@ -59,7 +60,8 @@ Stepper::Substep Stepper::next_substep(long steps_made) {
   const double remaining = end - state_.time;
   const double wanted = std::min(substep_, limits_.predicted_step(state_, contacts_));
   const double shortest = shortest_substep * longest_substep();
-  const double pieces = std::max(1.0, std::ceil(remaining / std::max(wanted, shortest) - 1e-9));
+  constexpr double round_off = std::numeric_limits<float>::epsilon();
+  const double pieces = std::max(1.0, std::ceil(remaining / std::max(wanted, shortest) - round_off));
   const double dt = without_round_off(remaining / pieces, analysis_.time_step, end);
   return {dt, end, pieces <= 1, dt * analysis_.cutting_factor < shortest};
 }
@@ -210,8 +212,12 @@ Stepper::Trial Stepper::make_trial(double dt) {
 void Stepper::detect(double dt) {
   const polyfem::Stopwatch watch(trial_.times().detection);
   search_margin_ = sleepers_.look_around(dt, margin_scale_);
+  // What holds blocks at rest may be their corners alone: asked when rest begins, and before a stage ends in it.
+  const Equilibrium& last = run_.equilibrium;
+  const bool doubts = last.in_balance() &&
+                      (last.unbalanced_before > largest_unbalanced || progress_.steps + 1 == analysis_.steps);
   if (begun_)
-    trial_.detect(dt, search_margin_, state_.time > progress_.start_time());
+    trial_.detect(dt, search_margin_, doubts);
   else
     trial_.detect_first(dt, search_margin_);
   detected_ = true;

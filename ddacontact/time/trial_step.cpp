@@ -95,9 +95,10 @@ VectorXd TrialStep::predicted_motion(const BlockState& from, double dt) const {
   return d;
 }
 
-void TrialStep::detect(double dt, const std::vector<double>& margin, bool goes_on) {
+void TrialStep::detect(double dt, const std::vector<double>& margin, bool doubts) {
+  doubts_ = doubts;
   builder_->keep_pairs(analysis_.skip.skin);
-  builder_->build(state_, predicted_motion(state_, dt), margin, last_, contacts_, goes_on);
+  builder_->build(state_, predicted_motion(state_, dt), margin, last_, contacts_);
   keep_start();
 }
 

@@ -65,8 +65,8 @@ class TrialStep {
 
   /// Looks for the contacts of the next step, of blocks that have made one.
   /// \param[in] margin       how far from each block, m
-  /// \param[in] goes_on      the last step was of the same stage
-  void detect(double dt, const std::vector<double>& margin, bool goes_on);
+  /// \param[in] doubts  whether corners that hold blocks by what they met before are asked which way they would go
+  void detect(double dt, const std::vector<double>& margin, bool doubts);
   /// Looks for the contacts of blocks that have not made a step.
   /// \param[in] coming  see ContactBuilder::build_first
   void detect_first(double dt, const std::vector<double>& margin, const std::vector<int>& coming = {});
@@ -140,6 +140,7 @@ class TrialStep {
   IslandsApart islands_;
   std::vector<Contact> contacts_;
   bool solved_ = false;  ///< contacts_ differ from those at the start of the step
+  bool doubts_ = false;  ///< see `detect`
   StepTimes times_;
 };
 

@@ -40,7 +40,7 @@ TrialSolution TrialStep::solve(double dt) {
   for (int round = 0; builder_->has_choices() && solution.rejection.empty(); ++round) {
     const std::vector<Contact> solved = contacts_;
     const std::vector<int> doubtful =
-        builder_->find_doubtful(contacts_, options_.sweep_tolerance * solution.residual.scale);
+        builder_->find_doubtful(contacts_, options_.sweep_tolerance * solution.residual.scale, doubts_);
     bool changed = false;
     if (doubtful.empty()) {
       restart();

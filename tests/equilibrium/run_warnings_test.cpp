@@ -184,7 +184,11 @@ TEST(RunWarnings, AStepThatCompressionMakesInAFlushJointIsToldWhereItHoldsACorne
   EXPECT_NEAR(way(brick_on_a_row(35e9, 0)), 0.6, 1e-3);
   expect_none(brick_on_a_row(35e9, 0));
   EXPECT_LT(way(brick_on_a_row(20e6, 0)), 0.55);
-  expect_warning(brick_on_a_row(20e6, 0), {"caught on a small step", "\"comes\"", "corner_rounding"});
+  const std::vector<std::string> warnings = warnings_in(brick_on_a_row(20e6, 0));
+  EXPECT_TRUE(std::ranges::any_of(warnings, [](const std::string& told) {
+    return told.find("caught on a small step") != told.npos && told.find("of block \"comes\"") != told.npos &&
+           told.find("corner_rounding") != told.npos;
+  }));
   EXPECT_NEAR(way(brick_on_a_row(20e6, 0.003)), 0.6, 1e-3);
   expect_none(brick_on_a_row(20e6, 0.003));
 }

@@ -11,7 +11,7 @@ namespace jointed_rock {
 
 void factors_of_safety(Report& report) {
   constexpr int n_slopes = 50;
-  constexpr double tolerance = 0.01, told_above = 1.06;
+  constexpr double tolerance = 0.01;
   constexpr support::SlopeSize size{20, 40};
   report.heading("Factors of safety");
   report.paragraph(fmt::format(
@@ -19,17 +19,18 @@ void factors_of_safety(Report& report) {
       "reduction as `dda safety` does it (`ddacontact/study`), to {:g} %. All factors are over that of the "
       "linear program. *interlocked* is the factor of the same program where corners that meet at crossings "
       "of joints press on each other in every direction between them. Beyond it no admissible forces exist "
-      "at all, below it some exist once joints have slipped by a hair. A *plane* is the mechanism where what "
-      "moves first slides along one plane of the limiting dip. Elsewhere strength reduction is below the "
-      "program where blocks slide on several planes, because the program lets them dilate by φ, and up to "
-      "*interlocked* above it. *rounded* is what the trial with rounded corners does with which `dda safety` "
-      "ends, at 95 % of the factor: it warns where that moves.",
+      "at all, below it some exist once joints have slipped by a hair; strength reduction relies on none. A "
+      "*plane* is the mechanism where what moves first slides along one plane of the limiting dip. Elsewhere "
+      "strength reduction is below the program where blocks slide on several planes, because the program "
+      "lets "
+      "them dilate by φ. *rounded* is what the trial with rounded corners does with which `dda safety` ends, "
+      "at 95 % of the factor: it warns where that moves.",
       n_slopes, size.least, size.most, known_factor, 100 * tolerance));
   std::vector<std::vector<std::string>> rows{
       {"seed", "free blocks", "limiting φ", "strength reduction", "interlocked", "mechanism", "rounded"}};
   Slopes slopes(size);
   int n_stopped_planes = 0, n_never_above = 0, n_planes = 0, n_close = 0, n_above_passing = 0, n_decided = 0;
-  int n_interlocked = 0, n_told = 0, n_others_told = 0;
+  int n_rounded_move = 0;
   double lowest = 1, highest = 1;
   for (int k = 0; k < n_slopes; ++k) {
     const Slope slope = slopes.next();
@@ -41,9 +42,7 @@ void factors_of_safety(Report& report) {
     n_stopped_planes += factor.on_a_plane && factor.found.stopped;
     n_decided += !factor.found.stopped;
     const StrengthTrial rounded = rounded_trial(slope, factor);
-    const bool told = rounded.verdict == ddacontact::Verdict::moves;
-    (factor.found.low > told_above ? n_told : n_others_told) += told;
-    n_interlocked += factor.found.low > told_above;
+    n_rounded_move += rounded.verdict == ddacontact::Verdict::moves;
     lowest = std::min(lowest, factor.found.low);
     highest = std::max(highest, factor.found.low);
     rows.push_back({std::to_string(slope.seed), std::to_string(slope.n_free),
@@ -60,10 +59,8 @@ void factors_of_safety(Report& report) {
        {"Strength reduction is never more than 1 % above the factor at which corners pass each other.",
         n_above_passing == 0,
         fmt::format("{} of {} above, by {:.0f} % at most", n_above_passing, n_slopes, 100 * (highest - 1))},
-       {"Where it is more than 6 % above that, a trial with rounded corners moves at 95 % of the factor.",
-        n_told == n_interlocked,
-        fmt::format("{} of {}; of the others {} of {}", n_told, n_interlocked, n_others_told,
-                    n_slopes - n_interlocked)},
+       {"With rounded corners nothing moves at 95 % of the factor.", n_rounded_move == 0,
+        fmt::format("{} of {} move", n_rounded_move, n_slopes)},
        {"It is within 3 % of limit analysis where a single plane is the mechanism.", n_close == n_planes,
         fmt::format("{} of {}, searches that stopped early: {}; elsewhere down to {:.2f}", n_close, n_planes,
                     n_stopped_planes, lowest)},

@@ -48,10 +48,9 @@ struct Towers {
     }
     return d;
   }
-  std::vector<Contact> build_with(const VectorXd& d, const std::vector<ContactRecord>& previous = {},
-                                  bool ties = true) {
+  std::vector<Contact> build_with(const VectorXd& d, const std::vector<ContactRecord>& previous = {}) {
     std::vector<Contact> contacts;
-    builder.build(state, d, margin, previous, contacts, ties);
+    builder.build(state, d, margin, previous, contacts);
     return contacts;
   }
 };
@@ -126,7 +125,7 @@ TEST(ContactChoices, ThoseThatStayKeepWhatTheyHave) {
 TEST(ContactChoices, InDoubtAreThosePressedWhereNothingTells) {
   Towers towers;
   std::vector<Contact> contacts = towers.build_with(towers.motion({0, 0}));
-  const auto doubtful = [&](double least) { return towers.builder.find_doubtful(contacts, least); };
+  const auto doubtful = [&](double least) { return towers.builder.find_doubtful(contacts, least, false); };
   const auto numbers_of = [&](const Pair& pair) {
     std::vector<int> numbers;
     for (const Contact& contact : contacts)
@@ -146,6 +145,29 @@ TEST(ContactChoices, InDoubtAreThosePressedWhereNothingTells) {
   for (const int c : doubtful(0)) EXPECT_NE(pair_of(contacts[static_cast<std::size_t>(c)]), (Pair{0, 2}));
 }
 
+/// A corner that was closed on a line goes on with it, unless that is in doubt too and no bond holds it there.
+TEST(ContactChoices, ThoseClosedBeforeAreInDoubtWhereAsked) {
+  Scene scene = rock_scene(0.1, 1);
+  scene.blocks = {block(rectangle(0, 0, 1, 1), true), block(rectangle(1, 1, 1, 1))};
+  const BuiltScene built = build(scene);
+  const BlockState& state = built.stepper->state();
+  ContactBuilder builder(built.stepper->blocks(), plain_contacts(2));
+  std::vector<Contact> contacts;
+  const auto build_after = [&](const std::vector<ContactRecord>& previous) {
+    builder.build(state, VectorXd::Zero(state.velocity.size()), {0.1, 0.1}, previous, contacts);
+    ASSERT_EQ(contacts.size(), 1u);
+    contacts[0].normal = 7;
+  };
+  build_after({});
+  EXPECT_EQ(builder.find_doubtful(contacts, 0, false).size(), 1u) << "nothing tells";
+  contacts[0].history.state = ContactState::stick;
+  build_after({contacts[0]});
+  EXPECT_TRUE(builder.find_doubtful(contacts, 0, false).empty());
+  EXPECT_EQ(builder.find_doubtful(contacts, 0, true).size(), 1u);
+  contacts[0].law.glued = true;
+  EXPECT_TRUE(builder.find_doubtful(contacts, 0, true).empty());
+}
+
 /// For the rest of the step they are not chosen again, others are.
 TEST(ContactChoices, ThoseInDoubtAreDecidedOnceByTheMotionWithoutThem) {
   Towers towers;
@@ -158,7 +180,7 @@ TEST(ContactChoices, ThoseInDoubtAreDecidedOnceByTheMotionWithoutThem) {
     };
     expect_lines(contacts, {0, 3}, false);
     const std::vector<Contact> before = contacts;
-    ASSERT_FALSE(towers.builder.find_doubtful(contacts, 0).empty());
+    ASSERT_FALSE(towers.builder.find_doubtful(contacts, 0, false).empty());
     const bool changed = towers.builder.decide_doubtful(towers.state, motion(flat, true), {}, contacts);
     EXPECT_EQ(changed, !std::ranges::equal(before, contacts, {}, &Contact::pair, &Contact::pair));
     expect_lines(contacts, {0, 2}, flat);

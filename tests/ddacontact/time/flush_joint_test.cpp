@@ -60,6 +60,29 @@ TEST(FlushJoint, ASlowBlockCrossesAJoint) {
   EXPECT_NEAR(final_speed(scene, last_block(scene), Vec2(1, 0)), 0.01, 1e-7);
 }
 
+/// A corner climbs a step within the lip as it slides, in steps of any length: it goes up by a hundredth of its speed.
+TEST(FlushJoint, AStepThatACornerPassesDoesNotThrowTheBlock) {
+  constexpr double rise = 3e-5, speed = 3;
+  for (const double time_step : {1e-6, 1e-5, 1e-4}) {
+    const Scene scene =
+        sliding_over_bricks({.step_up = rise, .start = 1.5 - speed * time_step / 2, .speed = speed},
+                            {.time_step = time_step, .duration = 2e-3});
+    const BuiltScene built = build(scene);
+    const auto velocity = [&] {
+      return rigid_velocity(built.stepper->blocks().block(last_block(scene)), built.stepper->state().velocity)
+          .linear;
+    };
+    double fastest = 0;
+    for (int step = 0; step < scene.analysis.steps; ++step) {
+      ASSERT_TRUE(built.stepper->step()) << built.stepper->stop_reason();
+      fastest = std::max(fastest, velocity().y());
+    }
+    EXPECT_LT(fastest, 0.01 * speed) << time_step << " s";
+    EXPECT_LT(built.stepper->energy().now.pushed_out, 1) << time_step << " s";
+    EXPECT_NEAR(velocity().x(), speed, 1e-3) << time_step << " s";
+  }
+}
+
 /// A step of a millimetre is no joint: the sharp corner stops at it.
 TEST(FlushJoint, AStepStopsABlock) {
   EXPECT_LT(speed_over({.step_up = 1e-3, .start = 1.2}, 1e-3), 1.5);

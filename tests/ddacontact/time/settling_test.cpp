@@ -14,13 +14,14 @@ constexpr double density = 2500, g = 9.8, width = 6, height = 3;
 
 enum class Blocks { stack_bond, running_bond, voronoi };
 
-/// 6 m x 3 m, as 36 blocks: bricks of 1 m x 0.5 m, or Voronoi cells.
+/// 6 m x 3 m, as 36 blocks: bricks of 1 m x 0.5 m, or Voronoi cells (with 89 degrees one seed in twenty finds no
+/// solution: see doc/limits.md).
 std::vector<Points> wall(Blocks kind) {
   std::vector<Points> blocks;
   if (kind == Blocks::voronoi) {
     polyfem::VoronoiOptions options;
     options.n_cells = 36;
-    options.seed = 3;
+    options.seed = 5;
     const polyfem::PolygonMesh mesh = polyfem::voronoi(rectangle(0, 0, width, height), options);
     for (int cell = 0; cell < mesh.n_cells(); ++cell) blocks.push_back(mesh.outline(cell));
     return blocks;

@@ -45,7 +45,7 @@ struct TrialOf {
   double dt() const { return analysis.time_step; }
   /// Contacts that go on with those of the stepper.
   void detect(double margin = 0.05) {
-    trial.detect(dt(), std::vector<double>(static_cast<std::size_t>(blocks.n_blocks()), margin), true);
+    trial.detect(dt(), std::vector<double>(static_cast<std::size_t>(blocks.n_blocks()), margin), false);
   }
   TrialSolution solve(double margin = 0.05) {
     detect(margin);
