@@ -212,11 +212,10 @@ Stepper::Trial Stepper::make_trial(double dt) {
 void Stepper::detect(double dt) {
   const polyfem::Stopwatch watch(trial_.times().detection);
   search_margin_ = sleepers_.look_around(dt, margin_scale_);
-  // What holds blocks at rest may be their corners alone. In static steps it is asked when rest begins, and before a
-  // stage ends in it.
+  // What holds blocks at rest may be their corners alone: asked when rest begins, and before a stage ends in it.
   const Equilibrium& last = run_.equilibrium;
-  const bool begins = last.unbalanced_before > largest_unbalanced || progress_.steps + 1 == analysis_.steps;
-  const bool doubts = is_at_rest() && (begins || !is_static());
+  const bool doubts = last.in_balance() &&
+                      (last.unbalanced_before > largest_unbalanced || progress_.steps + 1 == analysis_.steps);
   if (begun_)
     trial_.detect(dt, search_margin_, doubts);
   else
