@@ -15,11 +15,11 @@ namespace ddacontact {
 
 /// History of a contact, carried from step to step.
 struct ContactHistory {
-  double lock = 0;        ///< the lock point o as a fraction of the edge from j (0) to k (1)
-  double gap_offset = 0;  ///< the gap that counts as none, m. < 0: the overlap it started with, taken as
-      ///< stress-free, or what is left of a step that its corner has passed; > 0: one that
-      ///< glue or a block that came in has filled, what dilation has lifted, or the
-      ///< stress at the start has closed
+  double lock = 0;  ///< the lock point o as a fraction of the edge from j (0) to k (1)
+  /// The gap that counts as none, m. < 0: the overlap it started with, taken as stress-free, or what is left of
+  /// a step that its corner has passed; > 0: one that glue or a block that came in has filled, what dilation has
+  /// lifted, or the stress at the start has closed.
+  double gap_offset = 0;
   double length = 0;  ///< over which cohesion and tensile strength act, m
   double normal = 0;  ///< N at the end of the last step: where the multipliers start
   double shear = 0;   ///< T at the end of the last step
