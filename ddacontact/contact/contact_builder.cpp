@@ -301,7 +301,8 @@ Contact ContactBuilder::carry_over(const BlockState& state, const VertexEdge& pa
       contact.history.lock = fraction - old->end_slip / contact.edge_length();
     if (is_slipping(contact.history.state)) contact.history.lock = fraction;
     if (old->pair != pair && is_flush(properties_, contact))
-      contact.history.gap_offset = std::min(contact.history.gap_offset, contact.gap - old->end_gap);
+      contact.history.gap_offset =
+          std::min(std::max(contact.history.gap_offset, 0.0), contact.gap - old->end_gap);
   }
   if (!contact.closed() && contact.gap - contact.history.gap_offset < -contact.length_tolerance() &&
       contact.starts_on_edge()) {

@@ -56,6 +56,7 @@ void AugmentedContacts::begin(Contact& contact, Multiplier& multiplier) const {
   JointLaw& law = contact.law;
   const ContactHistory& history = contact.history;
   multiplier.bonded = contact.has_bond();
+  multiplier.acts = contact.meets || multiplier.bonded || contact.closed();
   contact.was_closed = contact.closed();
   if (law.compliant) return begin_compliant(contact, multiplier);
   if (options_.penetration_tolerance == 0) return;
@@ -82,8 +83,7 @@ void AugmentedContacts::begin(Contact& contact, Multiplier& multiplier) const {
   if (!contact.closed()) return;
   multiplier.normal = history.normal + law.normal_stiffness * kept(start_gap, history.halvings, contact.size);
   multiplier.shear = history.shear;
-  multiplier.sliding = is_slipping(history.state);
-  if (!multiplier.sliding && (law.has_friction() || multiplier.bonded))
+  if (!is_slipping(history.state) && (law.has_friction() || multiplier.bonded))
     multiplier.shear += law.tangential_stiffness * kept(contact.first_slip().constant, 0, contact.size);
 }
 
@@ -101,6 +101,17 @@ double AugmentedContacts::kept(double length, int halvings, double size) const {
                within = std::min(std::abs(length), most), of_motion = leaves_gaps() ? 0 : corrected_part,
                part = options_.is_static ? std::ldexp(1, -halvings) : of_motion;
   return std::copysign(within <= least ? within : std::max(least, (1 - part) * within), length);
+}
+
+bool AugmentedContacts::add_met(const VectorXd& d) {
+  bool any = false;
+  for (std::size_t c = 0; c < size(); ++c) {
+    if (multipliers_[c].acts || terms_[c].gap(d) >= 0 || !contacts_[c].is_on_edge(terms_[c].slip(d)))
+      continue;
+    multipliers_[c].acts = true;
+    any = true;
+  }
+  return any;
 }
 
 void AugmentedContacts::take_first_forces() {
@@ -134,16 +145,13 @@ void AugmentedContacts::evaluate(const Contact& contact, const VectorXd& displac
       law.normal_stiffness * (law.compliant && has_means() ? 1. / 2 : 1) + contact.damping;
   term.tangential_stiffness = shear_stiffness(law);
   term.normal_multiplier = multiplier.normal + contact.dashpot_force(contact.history.gap_offset);
-  const bool possible = contact.meets || multiplier.bonded || contact.closed() || contact.is_on_edge(s);
   term.tension = multiplier.bonded ? law.tension : 0;
-  term.normal = !possible            ? ContactTerm::Normal::absent
+  term.normal = !multiplier.acts     ? ContactTerm::Normal::absent
                 : term.tension < inf ? ContactTerm::Normal::unilateral
                                      : ContactTerm::Normal::bilateral;
   term.sheared = multiplier.bonded || law.has_friction() || !options_.skip.friction_rows;
   term.bound = shear_bound(law, normal_spring(term, d).clipped(), multiplier.bonded);
-  term.tangential_multiplier = term.bound == 0      ? 0
-                               : multiplier.sliding ? std::copysign(term.bound, multiplier.shear)
-                                                    : std::clamp(multiplier.shear, -term.bound, term.bound);
+  term.tangential_multiplier = multiplier.shear;
 }
 
 void AugmentedContacts::find_springs(const VectorXd& d) {
@@ -167,7 +175,6 @@ void AugmentedContacts::raise_multipliers(const VectorXd& d) {
     if (springs_[c].normal.acts())
       multiplier.normal += contacts_[c].law.normal_stiffness * std::clamp(terms_[c].gap(d), -left, left);
     multiplier.shear = forces_[c].shear;
-    multiplier.sliding = is_sliding(c);
   }
 }
 
@@ -246,33 +253,17 @@ std::vector<SweptLaw> AugmentedContacts::laws() const {
   for (std::size_t c = 0; c < size(); ++c) {
     const Multiplier& m = multipliers_[c];
     const VertexEdge& pair = contacts_[c].pair;
-    laws[c] = {&contacts_[c].law,
-               m.shear,
-               m.sliding,
-               m.bonded,
+    laws[c] = {&contacts_[c].law, m.shear, m.bonded,
                std::min(system_.sum_of_forces(pair.vertex_block), system_.sum_of_forces(pair.edge_block)),
                options_.penetration_tolerance * contacts_[c].size};
   }
   return laws;
 }
 
-/// The sign of shear forces that follow the bound of friction: of contacts that slide, and of those whose
-/// multiplier is at the bound. 0: they do not.
-int AugmentedContacts::follows_bound(std::size_t c, unsigned char state) const {
-  if (state & at_upper) return 1;
-  if (state & at_lower) return -1;
-  const Multiplier& m = multipliers_[c];
-  const double bound = terms_[c].bound;
-  const bool at_bound = m.sliding || std::abs(m.shear) > bound;
-  return (state & shear_acts) && at_bound && bound < inf && forces_[c].normal > -terms_[c].tension
-             ? (m.shear > 0 ? 1 : -1)
-             : 0;
-}
-
 std::vector<Coupling> AugmentedContacts::couplings(const std::vector<unsigned char>& states) const {
   std::vector<Coupling> couplings;
   for (std::size_t c = 0; c < size(); ++c) {
-    const int sense = follows_bound(c, states[c]);
+    const int sense = states[c] & at_upper ? 1 : states[c] & at_lower ? -1 : 0;
     const double rate = friction_rate(contacts_[c].law, forces_[c].normal, multipliers_[c].bonded) *
                         terms_[c].normal_stiffness;
     if (sense != 0 && rate != 0) couplings.push_back({&terms_[c].slip, &terms_[c].gap, sense * rate, c});

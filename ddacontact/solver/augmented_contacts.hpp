@@ -15,9 +15,9 @@ namespace ddacontact {
 /// Multipliers of a contact, N per m, and its data that do not change within a solution.
 struct Multiplier {
   double normal = 0, shear = 0;
-  double gap = 0;        ///< the constant of the term's gap, the offset not taken off
-  bool sliding = false;  ///< T is at the friction bound, with the sign of `shear`, until the slip reverses
+  double gap = 0;  ///< the constant of the term's gap, the offset not taken off
   bool bonded = false;
+  bool acts = false;  ///< the vertex meets the edge in the step
 };
 
 /// The contacts of one step: their terms, springs and states where the solution is looked for, and the forces
@@ -31,6 +31,10 @@ class AugmentedContacts {
   void begin();
   /// Forces become those of the problem that differs little, or of the step before.
   void take_first_forces();
+  /// Lets contacts act whose vertices d leads over their edges and past their lines, for the rest of the step:
+  /// at the end of an edge what its own force does to a contact may not decide whether it acts. False: there
+  /// are none.
+  bool add_met(const VectorXd& d);
   /// Makes the terms at d, geometry included. Prescribed unknowns of d are set.
   void evaluate(VectorXd& d);
   /// Makes the springs of the terms at d, and with them the states of the law.
@@ -88,7 +92,6 @@ class AugmentedContacts {
   /// Schemes that damp nothing.
   bool leaves_gaps() const { return has_means() || system_.rule().is_explicit(); }
   double kept(double length, int halvings, double size) const;
-  int follows_bound(std::size_t c, unsigned char state) const;
   bool yields(std::size_t c, const VectorXd& d) const;
   bool is_sliding(std::size_t c) const { return law_states_[c] & (at_upper | at_lower); }
   double elastic_normal(std::size_t c, const VectorXd& d) const;

@@ -86,6 +86,10 @@ struct ContactSolver {
       if (!std::isfinite(report.residual.block_relative) || !std::isfinite(report.residual.largest))
         return end(SolutionStatus::not_finite);
       if (is_balanced() && (states_agree() || take_law(aim_of_states()))) {
+        if (contacts.add_met(d)) {
+          restart();
+          continue;
+        }
         if (contacts.are_close(d, 1, report.worst_contact)) {
           if (options.is_static && release_bonds()) continue;
           // Forces that differ from the law's by what does not count: inside the cone they are the law's.

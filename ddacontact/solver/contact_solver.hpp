@@ -44,7 +44,7 @@ struct ContactSolverOptions {
   bool keeps_gradients() const { return directions == Directions::of_start; }
   int max_solutions = 600;
   bool interior_point = true;  ///< false: the active-set iteration alone
-  int max_augmentations = 10;
+  int max_augmentations = 100;
   Skips skip = {};
 };
 

@@ -12,7 +12,7 @@ struct ContactTerm {
   AffineForm gap, slip;  ///< over the same unknowns in the same order where `sheared`
   double normal_stiffness = 0, tangential_stiffness = 0;  ///< p, p_t, N/m per m
   double normal_multiplier = 0;                           ///< lambda, N per m
-  double tangential_multiplier = 0;                       ///< tau, |tau| <= bound
+  double tangential_multiplier = 0;                       ///< tau; the bound is of T alone
   double bound = 0;                                       ///< of |T|; infinity: cannot slide
   double tension = 0;                                     ///< a bond's strength
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 namespace ddacontact {
 
@@ -22,8 +23,7 @@ unsigned char InteriorContact::state(const SweptLaw& law) const {
 }
 
 void InteriorContact::evaluate(const ContactTerm& term, const SweptLaw& law, const VectorXd& d, double mu) {
-  const bool acted = acts;
-  acts = acted || term.normal != ContactTerm::Normal::absent;
+  const bool acted = std::exchange(acts, term.normal != ContactTerm::Normal::absent);
   p = term.normal_stiffness;
   p_t = term.tangential_stiffness;
   tension = term.normal == ContactTerm::Normal::unilateral ? term.tension : 0;
@@ -37,8 +37,7 @@ void InteriorContact::evaluate_friction(const SweptLaw& law) {
   if (!acts || !sheared) return;
   b = shear_bound(*law.joint, N(), law.bonded);
   rate = friction_rate(*law.joint, N(), law.bonded);
-  sense = !holds && (law.sliding || std::abs(law.shear) > b) ? std::copysign(1, law.shear) : 0;
-  q = (sense != 0 ? sense * b : law.shear) - p_t * slip;
+  q = law.shear - p_t * slip;
 }
 
 void InteriorContact::begin(const ContactTerm& term, const SweptLaw& law, double mu) {
@@ -62,7 +61,7 @@ void InteriorContact::find_rates() {
   const double f = slides() ? upper.s / upper.x : 0, k = slides() ? lower.s / lower.x : 0;
   w = unilateral ? normal.x / (normal.x + normal.s) : 1;
   wt = sheared ? 1 / (1 + f + k) : 0;
-  mixed = slides() ? wt * (f - k + sense) : 0;
+  mixed = slides() ? wt * (f - k) : 0;
 }
 
 void InteriorContact::aim(double mu, double second_order) {

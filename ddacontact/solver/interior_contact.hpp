@@ -31,7 +31,7 @@ struct InteriorPair {
 /// A contact inside its law. Changes of its forces by displacements follow from its own equations:
 /// dN = w da + cN and dT = wt dq + mixed rate dN + cT.
 struct InteriorContact {
-  bool acts = false;  ///< the vertex is on the edge, or has been
+  bool acts = false;  ///< the vertex meets the edge
   bool unilateral = true, sheared = false;
   bool holds = false;     ///< shear has no bound
   double tension = 0;     ///< of a bond; 0 where it is not unilateral
@@ -41,7 +41,6 @@ struct InteriorContact {
   double T = 0, dT = 0;
   InteriorPair upper, lower;  ///< u and f, v and k
   double b = 0, rate = 0;     ///< the bound of friction and its derivative by N
-  double sense = 0;           ///< of a multiplier that is at the bound, whatever that is
   double w = 0, wt = 0, mixed = 0, cN = 0, cT = 0;
 
   double N() const { return normal.x - tension; }

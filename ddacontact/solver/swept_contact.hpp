@@ -43,10 +43,7 @@ struct SweptContact {
     const double an = normal_compliance + normal,
                  rn = normal * before.normal + mixed * before.shear - gap_before;
     if (!sheared) return {std::max(-tension, rn / an), 0};
-    const double bound_before = bound_under(before.normal);
-    const double multiplier = law.sliding && slides ? std::copysign(bound_before, law.shear)
-                                                    : std::clamp(law.shear, -bound_before, bound_before);
-    const double at = tangential_compliance + shear, rt = multiplier * tangential_compliance +
+    const double at = tangential_compliance + shear, rt = law.shear * tangential_compliance +
                                                           mixed * before.normal + shear * before.shear -
                                                           slip_before;
     const double determinant = an * at - mixed * mixed;

@@ -8,8 +8,7 @@ namespace ddacontact {
 /// The law of one contact, with its state at the start of the step.
 struct SweptLaw {
   const JointLaw* joint = nullptr;
-  double shear = 0;      ///< shear multiplier at the start of the step, N per m
-  bool sliding = false;  ///< that multiplier is at the friction bound, whatever the bound is
+  double shear = 0;  ///< shear multiplier at the start of the step, N per m
   bool bonded = false;
   double scale = 1;  ///< reference force of the convergence test, N per m
   double gap = 0;    ///< largest gap change counted as converged, m; 0: no test

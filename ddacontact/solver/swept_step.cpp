@@ -17,17 +17,6 @@ constexpr double many_changes = 0.08;
 constexpr int few_changes = 10;
 constexpr double coarse_penetration = 10;
 
-/// Of vertices that d leads off their edges. False: there are none.
-bool drop_forces_beyond_edges(AugmentedContacts& contacts) {
-  bool any = false;
-  for (std::size_t c = 0; c < contacts.size(); ++c)
-    if (contacts.terms()[c].normal == ContactTerm::Normal::absent && contacts.forces()[c].normal != 0) {
-      contacts.forces()[c] = {};
-      any = true;
-    }
-  return any;
-}
-
 /// Whether gaps follow their gradients of the start on the last part of the way to d, `change`, as far as
 /// forces can tell, and held points stay where they are: a block that has turned on its way leads its points
 /// off by no more than its way over its size.
@@ -92,9 +81,11 @@ bool solve_by_sweeps(StepSystem& system, const ContactSolverOptions& options, Au
     if (!is_straight) contacts.evaluate(d);
     contacts.find_springs(d);
     contacts.take_states_of_forces();
-    if (drop_forces_beyond_edges(contacts) ||
-        (!is_straight && (round == 0 || swept.sweeps > (changes_many ? 2 : 1))))
+    if (contacts.add_met(d)) {
+      contacts.evaluate(d);
       continue;
+    }
+    if (!is_straight && (round == 0 || swept.sweeps > (changes_many ? 2 : 1))) continue;
     if (contacts.are_close(d, changes_many ? coarse_penetration : 1, report.worst_contact)) {
       compute_residual();
       report.tolerance = options.sweep_tolerance;

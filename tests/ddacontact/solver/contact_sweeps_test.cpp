@@ -80,9 +80,7 @@ struct Swept {
     if (term.normal == Normal::unilateral) force.normal = std::max(0.0, force.normal);
     if (!term.sheared) return force;
     const double bound = is_bonded(c) ? infinity : joints[c].friction * force.normal;
-    const double multiplier =
-        laws[c].sliding ? std::copysign(bound, laws[c].shear) : std::clamp(laws[c].shear, -bound, bound);
-    force.shear = std::clamp(multiplier - term.tangential_stiffness * term.slip(d), -bound, bound);
+    force.shear = std::clamp(laws[c].shear - term.tangential_stiffness * term.slip(d), -bound, bound);
     return force;
   }
 };

@@ -153,6 +153,7 @@ TEST(Rest, AnInitialOverlapStaysFreeOfStressWhileItsContactIsOpen) {
       scene.analysis.kinematics = Kinematics::corotational;
       scene.analysis.scheme = Scheme::decaying;
       scene.analysis.gravity.setZero();
+      scene.blocks[0].vertices = rectangle(-2, -1, 8, 1);
       scene.blocks[1].vertices.row(1).array() -= 1. / 1024;
       scene.blocks[1].velocity = {0, up};
       const BuiltScene built = run(scene);
