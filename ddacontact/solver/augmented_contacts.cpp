@@ -201,6 +201,11 @@ bool AugmentedContacts::are_close(const VectorXd& d, double tolerances, int& wor
   return worst < 0;
 }
 
+bool AugmentedContacts::hardly_penetrates(std::size_t c, const VectorXd& d) const {
+  return !contacts_[c].law.compliant &&
+         terms_[c].gap(d) >= -negligible_gap * options_.penetration_tolerance * contacts_[c].size;
+}
+
 bool AugmentedContacts::yields(std::size_t c, const VectorXd& d) const {
   if (!multipliers_[c].bonded) return false;
   const bool opens = !(law_states_[c] & normal_acts) && terms_[c].gap(d) > contacts_[c].length_tolerance();

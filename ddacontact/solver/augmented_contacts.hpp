@@ -29,6 +29,8 @@ class AugmentedContacts {
 
   /// Stiffnesses and multipliers at the start of the step.
   void begin();
+  /// Whether a contact that is open is behind its line by no more than gaps of closed ones that stay uncorrected.
+  bool hardly_penetrates(std::size_t c, const VectorXd& d) const;
   /// Forces become those of the problem that differs little, or of the step before.
   void take_first_forces();
   /// Lets contacts act whose vertices d leads over their edges and past their lines, for the rest of the step:

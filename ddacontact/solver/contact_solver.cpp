@@ -119,7 +119,8 @@ struct ContactSolver {
     for_all(states.size(), [&](std::size_t c) {
       const ContactForce force = contacts.forces()[c] = contacts.force_in(states[c], c),
                          law = contacts.law_force(c);
-      off[c] = contacts.law_states()[c] == states[c]
+      off[c] = contacts.law_states()[c] == states[c] ||
+                       (states[c] == none_acts && contacts.hardly_penetrates(c, d))
                    ? 0
                    : std::hypot(force.normal - law.normal, force.shear - law.shear);
     });
