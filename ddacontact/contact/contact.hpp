@@ -23,6 +23,8 @@ struct ContactHistory {
   double length = 0;  ///< over which cohesion and tensile strength act, m
   double normal = 0;  ///< N at the end of the last step: where the multipliers start
   double shear = 0;   ///< T at the end of the last step
+  /// How far it has slipped since it was asked which way its corner goes, m; infinity: it was not asked.
+  double since_asked = inf;
   /// The part of `length` on another joint, m: beyond the end of the edge, or, < 0, before its start. In
   /// single precision, which keeps contacts small.
   float length_beyond = 0;

@@ -42,8 +42,9 @@ class ContactBuilder {
   /// Numbers of the doubtful contacts among those built last: they bear more than `least_force` (N per m) in
   /// a solution of the step although nothing told that their corner could not go the other way. With them the
   /// others of the same two blocks that nothing told of.
-  /// \param[in] kept_too  that it was closed before does not tell either
-  std::vector<int> find_doubtful(const std::vector<Contact>& contacts, double least_force, bool kept_too);
+  /// \param[in] kept_too  that it was closed before does not tell either, but where it was asked so before and
+  ///   has not slipped since
+  std::vector<int> find_doubtful(std::vector<Contact>& contacts, double least_force, bool kept_too);
   /// Chooses the lines that corners meet anew, by the motion of a solution. False: the contacts are the same.
   bool choose_again(const BlockState& state, const VectorXd& motion,
                     const std::vector<ContactRecord>& previous, std::vector<Contact>& contacts);
@@ -179,6 +180,7 @@ class ContactBuilder {
   std::vector<FoundContacts> found_in_;  ///< by `detect`, in each range of pairs
   std::vector<Choice> choices_;          ///< of all
   std::set<Pair> doubtful_;
+  bool asks_kept_ = false;  ///< doubtful ones were looked for among those that were closed before, too
   std::vector<std::size_t> first_found_;  ///< of each range, among all
   std::vector<VertexEdge> missed_;
 };

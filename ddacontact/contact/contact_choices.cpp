@@ -1,19 +1,29 @@
 #include <ddacontact/contact/contact_builder.hpp>
 #include <ddacontact/contact/contacts_by_pair.hpp>
 
+#include <limits>
+
 namespace ddacontact {
 
-std::vector<int> ContactBuilder::find_doubtful(const std::vector<Contact>& contacts, double least_force,
+/// A corner that was asked is where it was until it has slipped by half the digits of its block's size.
+constexpr double least_slip = std::numeric_limits<float>::epsilon();
+
+std::vector<int> ContactBuilder::find_doubtful(std::vector<Contact>& contacts, double least_force,
                                                bool kept_too) {
   doubtful_.clear();
+  asks_kept_ = kept_too;
   std::set<int> open;
   for (const Choice& choice : choices_)
     for (const Contact& contact : of_same_pair(choice.chosen, contacts))
-      if (choice.open && (!choice.kept || (kept_too && !contact.has_bond())) && contact.pair == choice.chosen)
+      if (choice.open && contact.pair == choice.chosen &&
+          (!choice.kept ||
+           (kept_too && !contact.has_bond() && contact.history.since_asked > least_slip * contact.size)))
         open.insert(static_cast<int>(&contact - contacts.data()));
   for (const int c : open)
     if (contacts[c].normal > least_force) doubtful_.insert(pair_of(contacts[c]));
   std::erase_if(open, [&](int c) { return !doubtful_.contains(pair_of(contacts[c])); });
+  for (const int c : open)
+    if (asks_kept_) contacts[c].history.since_asked = 0;
   return {open.begin(), open.end()};
 }
 
@@ -31,6 +41,8 @@ bool ContactBuilder::decide_doubtful(const BlockState& state, const VectorXd& wi
   const bool changed = choose_anew(doubtful_, state, without, previous, contacts);
   std::erase_if(choices_,
                 [&](const Choice& choice) { return doubtful_.contains(block_pair(choice.chosen)); });
+  for (Contact& contact : contacts)
+    if (asks_kept_ && doubtful_.contains(pair_of(contact))) contact.history.since_asked = 0;
   return changed;
 }
 

@@ -103,7 +103,7 @@ double AugmentedContacts::kept(double length, int halvings, double size) const {
   return std::copysign(within <= least ? within : std::max(least, (1 - part) * within), length);
 }
 
-bool AugmentedContacts::add_met(const VectorXd& d) {
+bool AugmentedContacts::add_met(VectorXd& d) {
   bool any = false;
   for (std::size_t c = 0; c < size(); ++c) {
     if (multipliers_[c].acts || terms_[c].gap(d) >= 0 || !contacts_[c].is_on_edge(terms_[c].slip(d)))
@@ -111,6 +111,7 @@ bool AugmentedContacts::add_met(const VectorXd& d) {
     multipliers_[c].acts = true;
     any = true;
   }
+  if (any) evaluate(d);
   return any;
 }
 

@@ -34,9 +34,9 @@ class AugmentedContacts {
   /// Forces become those of the problem that differs little, or of the step before.
   void take_first_forces();
   /// Lets contacts act whose vertices d leads over their edges and past their lines, for the rest of the step:
-  /// at the end of an edge what its own force does to a contact may not decide whether it acts. False: there
-  /// are none.
-  bool add_met(const VectorXd& d);
+  /// at the end of an edge what its own force does to a contact may not decide whether it acts. The terms are
+  /// those at d. False: there are none.
+  bool add_met(VectorXd& d);
   /// Makes the terms at d, geometry included. Prescribed unknowns of d are set.
   void evaluate(VectorXd& d);
   /// Makes the springs of the terms at d, and with them the states of the law.

@@ -81,11 +81,8 @@ bool solve_by_sweeps(StepSystem& system, const ContactSolverOptions& options, Au
     if (!is_straight) contacts.evaluate(d);
     contacts.find_springs(d);
     contacts.take_states_of_forces();
-    if (contacts.add_met(d)) {
-      contacts.evaluate(d);
+    if (contacts.add_met(d) || (!is_straight && (round == 0 || swept.sweeps > (changes_many ? 2 : 1))))
       continue;
-    }
-    if (!is_straight && (round == 0 || swept.sweeps > (changes_many ? 2 : 1))) continue;
     if (contacts.are_close(d, changes_many ? coarse_penetration : 1, report.worst_contact)) {
       compute_residual();
       report.tolerance = options.sweep_tolerance;

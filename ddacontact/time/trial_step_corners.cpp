@@ -38,9 +38,9 @@ TrialSolution TrialStep::solve(double dt) {
   TrialSolution solution = solve_with_impacts(dt);
   if (analysis_.preset == Preset::paper) return solution;
   for (int round = 0; builder_->has_choices() && solution.rejection.empty(); ++round) {
-    const std::vector<Contact> solved = contacts_;
     const std::vector<int> doubtful =
         builder_->find_doubtful(contacts_, options_.sweep_tolerance * solution.residual.scale, doubts_);
+    const std::vector<Contact> solved = contacts_;
     bool changed = false;
     if (doubtful.empty()) {
       restart();

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace {
 
 using namespace jointed_rock;
@@ -41,6 +43,18 @@ TEST(SlopeFactors, CornersThatMeetAtACrossingHoldNothing) {
     EXPECT_GT(factor.interlocked, 1.05) << seed;
     EXPECT_LE(factor.found.low, most_above) << seed;
     EXPECT_EQ(rounded_trial(slope, factor).verdict, ddacontact::Verdict::rests) << seed;
+  }
+}
+
+/// Where the friction of a contact that slid followed its bound there was no solution at 52 to 80 degrees.
+TEST(SlopeFactors, SlopesWithMoreFrictionThanHoldsThemRest) {
+  Slopes slopes({20, 60});
+  for (const std::uint64_t seed : {68, 98, 101, 115, 153, 179}) {
+    Slope slope = slopes.next();
+    while (slope.seed != seed) slope = slopes.next();
+    const Outcome outcome = let_go(slope.scene, above_both * std::max(slope.limit, slope.steepest),
+                                   least_acceleration(slope.limit));
+    EXPECT_EQ(outcome.verdict, jointed_rock::Verdict::rests) << seed;
   }
 }
 

@@ -145,7 +145,8 @@ TEST(ContactChoices, InDoubtAreThosePressedWhereNothingTells) {
   for (const int c : doubtful(0)) EXPECT_NE(pair_of(contacts[static_cast<std::size_t>(c)]), (Pair{0, 2}));
 }
 
-/// A corner that was closed on a line goes on with it, unless that is in doubt too and no bond holds it there.
+/// A corner that was closed on a line goes on with it, unless that is in doubt too and no bond holds it there: asked
+/// once, until it slips.
 TEST(ContactChoices, ThoseClosedBeforeAreInDoubtWhereAsked) {
   Scene scene = rock_scene(0.1, 1);
   scene.blocks = {block(rectangle(0, 0, 1, 1), true), block(rectangle(1, 1, 1, 1))};
@@ -164,6 +165,13 @@ TEST(ContactChoices, ThoseClosedBeforeAreInDoubtWhereAsked) {
   build_after({contacts[0]});
   EXPECT_TRUE(builder.find_doubtful(contacts, 0, false).empty());
   EXPECT_EQ(builder.find_doubtful(contacts, 0, true).size(), 1u);
+  EXPECT_TRUE(builder.find_doubtful(contacts, 0, true).empty()) << "it was asked";
+  contacts[0].history.since_asked = 1.2e-7 * contacts[0].size;
+  contacts[0].law.glued = true;
+  EXPECT_TRUE(builder.find_doubtful(contacts, 0, true).empty());
+  contacts[0].law.glued = false;
+  EXPECT_EQ(builder.find_doubtful(contacts, 0, true).size(), 1u) << "it has slipped since";
+  contacts[0].history.since_asked = inf;
   contacts[0].law.glued = true;
   EXPECT_TRUE(builder.find_doubtful(contacts, 0, true).empty());
 }
