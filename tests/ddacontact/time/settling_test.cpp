@@ -14,8 +14,7 @@ constexpr double density = 2500, g = 9.8, width = 6, height = 3;
 
 enum class Blocks { stack_bond, running_bond, voronoi };
 
-/// 6 m x 3 m, as 36 blocks: bricks of 1 m x 0.5 m, or Voronoi cells (with 89 degrees one seed in twenty finds no
-/// solution: see doc/limits.md).
+/// 6 m x 3 m, as 36 blocks: bricks of 1 m x 0.5 m, or Voronoi cells.
 std::vector<Points> wall(Blocks kind) {
   std::vector<Points> blocks;
   if (kind == Blocks::voronoi) {
@@ -109,7 +108,7 @@ std::vector<Case> all_cases() {
             for (const double young : {1e9, 35e9}) {
               if (!between_walls && blocks == Blocks::voronoi)
                 continue;  // cells at the sides would slide out
-              // At 89 degrees some of these twelve find no solution: see doc/decisions.md.
+              // At 89 degrees two of these twelve find no solution: see doc/limits.md.
               if (between_walls && !glued && model == BlockModel::affine) continue;
               cases.push_back({blocks, between_walls, glued, mode, model, young});
             }
