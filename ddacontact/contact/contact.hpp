@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <memory>
 
 namespace ddacontact {
@@ -23,8 +24,6 @@ struct ContactHistory {
   double length = 0;  ///< over which cohesion and tensile strength act, m
   double normal = 0;  ///< N at the end of the last step: where the multipliers start
   double shear = 0;   ///< T at the end of the last step
-  /// How far it has slipped since it was asked which way its corner goes, m; infinity: it was not asked.
-  double since_asked = inf;
   /// The part of `length` on another joint, m: beyond the end of the edge, or, < 0, before its start. In
   /// single precision, which keeps contacts small.
   float length_beyond = 0;
@@ -91,6 +90,8 @@ struct MovingVertexEdge {
 /// A contact between two steps: what the last one left and the next one carries on.
 struct ContactRecord {
   VertexEdge pair;
+  /// How far it has slipped since it was asked which way its corner goes, m; infinity: it was not asked.
+  float since_asked = std::numeric_limits<float>::infinity();
   // Results of the last accepted step.
   double end_gap = 0, end_slip = 0;
   double normal = 0;  ///< N, > 0 compression

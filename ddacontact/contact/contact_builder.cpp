@@ -283,6 +283,7 @@ Contact ContactBuilder::carry_over(const BlockState& state, const VertexEdge& pa
   } else if (old) {
     const double length = contact.history.length;
     contact.history = old->history;
+    contact.since_asked = old->since_asked;
     const bool slides = is_slipping(old->history.state),
                shares_anew = properties_.is_compliant(*old) && slides && length > 0;
     if (shares_anew)  // what a joint's springs bear is a stress: it stays where neighbours take over a part

@@ -17,13 +17,13 @@ std::vector<int> ContactBuilder::find_doubtful(std::vector<Contact>& contacts, d
     for (const Contact& contact : of_same_pair(choice.chosen, contacts))
       if (choice.open && contact.pair == choice.chosen &&
           (!choice.kept ||
-           (kept_too && !contact.has_bond() && contact.history.since_asked > least_slip * contact.size)))
+           (kept_too && !contact.has_bond() && contact.since_asked > least_slip * contact.size)))
         open.insert(static_cast<int>(&contact - contacts.data()));
   for (const int c : open)
     if (contacts[c].normal > least_force) doubtful_.insert(pair_of(contacts[c]));
   std::erase_if(open, [&](int c) { return !doubtful_.contains(pair_of(contacts[c])); });
   for (const int c : open)
-    if (asks_kept_) contacts[c].history.since_asked = 0;
+    if (asks_kept_) contacts[c].since_asked = 0;
   return {open.begin(), open.end()};
 }
 
@@ -42,7 +42,7 @@ bool ContactBuilder::decide_doubtful(const BlockState& state, const VectorXd& wi
   std::erase_if(choices_,
                 [&](const Choice& choice) { return doubtful_.contains(block_pair(choice.chosen)); });
   for (Contact& contact : contacts)
-    if (asks_kept_ && doubtful_.contains(pair_of(contact))) contact.history.since_asked = 0;
+    if (asks_kept_ && doubtful_.contains(pair_of(contact))) contact.since_asked = 0;
   return changed;
 }
 

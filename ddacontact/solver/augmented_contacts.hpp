@@ -29,8 +29,6 @@ class AugmentedContacts {
 
   /// Stiffnesses and multipliers at the start of the step.
   void begin();
-  /// Whether a contact that is open is behind its line by no more than gaps of closed ones that stay uncorrected.
-  bool hardly_penetrates(std::size_t c, const VectorXd& d) const;
   /// Forces become those of the problem that differs little, or of the step before.
   void take_first_forces();
   /// Lets contacts act whose vertices d leads over their edges and past their lines, for the rest of the step:
@@ -49,6 +47,8 @@ class AugmentedContacts {
   /// Whether closed contacts touch and sticking ones stay within so many penetration tolerances; if not,
   /// `worst` is the furthest.
   bool are_close(const VectorXd& d, double tolerances, int& worst) const;
+  /// Whether a contact that is open is behind its line by no more than gaps of closed ones that stay uncorrected.
+  bool hardly_penetrates(std::size_t c, const VectorXd& d) const;
   /// Breaks the bonds that bear their strength and give way; false: none does.
   bool break_bonds(const VectorXd& d);
   /// Bonds that are broken act no more within this step.

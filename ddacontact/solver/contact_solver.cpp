@@ -10,6 +10,7 @@
 #include <cassert>
 #include <cmath>
 #include <set>
+#include <utility>
 
 namespace ddacontact {
 
@@ -52,7 +53,9 @@ struct ContactSolver {
   int changes = 0, solutions_of_states = 0;
   int first_disagreeing = 0;         ///< contacts, before the first change
   bool interior_point_done = false;  ///< the states were found by the interior-point method
-  bool near = false;                 ///< a solution is near: by that method or a warm start
+  /// What hardly penetrates: with motion to follow only where nothing else was found.
+  bool leaves_open = options.is_static;
+  bool near = false;  ///< a solution is near: by that method or a warm start
   double last_block_relative = inf, first_of_states = inf;
   TangentSolver tangent{system.problem(), options.skip};
   AndersonAcceleration acceleration{};
@@ -103,7 +106,9 @@ struct ContactSolver {
         restart();
         continue;
       }
-      if (report.iterations >= options.max_solutions || !follow_states()) return end(failure);
+      if (report.iterations < options.max_solutions && follow_states()) continue;
+      if (std::exchange(leaves_open, true)) return end(failure);
+      restart();
     }
   }
 
@@ -120,7 +125,7 @@ struct ContactSolver {
       const ContactForce force = contacts.forces()[c] = contacts.force_in(states[c], c),
                          law = contacts.law_force(c);
       off[c] = contacts.law_states()[c] == states[c] ||
-                       (states[c] == none_acts && contacts.hardly_penetrates(c, d))
+                       (leaves_open && states[c] == none_acts && contacts.hardly_penetrates(c, d))
                    ? 0
                    : std::hypot(force.normal - law.normal, force.shear - law.shear);
     });

@@ -70,7 +70,7 @@ ContactEnds end_histories(const ContactProperties& properties, bool is_static, b
   for (Contact& contact : contacts) {
     ContactHistory& history = contact.history;
     contact.end_gap = contact.gap - history.gap_offset;
-    history.since_asked += std::abs(contact.slip_change);
+    contact.since_asked += static_cast<float>(std::abs(contact.slip_change));
     if (is_static) adapt_correction(properties.penetration_tolerance, contact);
     const double shear_before = history.shear;
     hand_on_forces(contact.closed() && (properties.has_multipliers() || contact.law.compliant), means,

@@ -21,8 +21,8 @@ void visit_contact(Archive& visit, Contact& c) {
   visit(state);
   if constexpr (!std::is_const_v<Contact>) c.history.state = static_cast<ContactState>(state);
   visit_all(visit, c.history.lock, c.history.gap_offset, c.history.bonded, c.history.length,
-            c.history.length_beyond, c.history.halvings, c.history.since_asked, c.history.normal,
-            c.history.shear, c.end_gap, c.end_slip, c.normal, c.shear, c.was_closed);
+            c.history.length_beyond, c.history.halvings, c.history.normal, c.history.shear, c.since_asked,
+            c.end_gap, c.end_slip, c.normal, c.shear, c.was_closed);
 }
 
 template <class Archive, class Counts>

@@ -2,6 +2,7 @@
 #include <ddacontact/contact/contacts_by_pair.hpp>
 #include <tests/ddacontact/simple_scenes.hpp>
 
+#include <limits>
 #include <random>
 
 using namespace support;
@@ -166,12 +167,12 @@ TEST(ContactChoices, ThoseClosedBeforeAreInDoubtWhereAsked) {
   EXPECT_TRUE(builder.find_doubtful(contacts, 0, false).empty());
   EXPECT_EQ(builder.find_doubtful(contacts, 0, true).size(), 1u);
   EXPECT_TRUE(builder.find_doubtful(contacts, 0, true).empty()) << "it was asked";
-  contacts[0].history.since_asked = 1.2e-7 * contacts[0].size;
+  contacts[0].since_asked = 1.2e-7f * static_cast<float>(contacts[0].size);
   contacts[0].law.glued = true;
   EXPECT_TRUE(builder.find_doubtful(contacts, 0, true).empty());
   contacts[0].law.glued = false;
   EXPECT_EQ(builder.find_doubtful(contacts, 0, true).size(), 1u) << "it has slipped since";
-  contacts[0].history.since_asked = inf;
+  contacts[0].since_asked = std::numeric_limits<float>::infinity();
   contacts[0].law.glued = true;
   EXPECT_TRUE(builder.find_doubtful(contacts, 0, true).empty());
 }
