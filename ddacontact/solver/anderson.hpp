@@ -22,8 +22,9 @@ class AndersonAcceleration {
 
  private:
   Index depth_;
-  Index n_ = 0;       ///< differences taken; the last few are kept, the oldest is replaced
-  MatrixXd dy_, df_;  ///< a column each
+  Index n_ = 0;        ///< differences taken; the last few are kept, the oldest is replaced
+  MatrixXd dy_, df_;   ///< a column each
+  MatrixXd products_;  ///< of the columns of df_
   VectorXd last_y_, last_f_;
 };
 

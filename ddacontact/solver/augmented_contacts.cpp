@@ -272,7 +272,7 @@ std::vector<Coupling> AugmentedContacts::couplings(const std::vector<unsigned ch
     const int sense = states[c] & at_upper ? 1 : states[c] & at_lower ? -1 : 0;
     const double rate = friction_rate(contacts_[c].law, forces_[c].normal, multipliers_[c].bonded) *
                         terms_[c].normal_stiffness;
-    if (sense != 0 && rate != 0) couplings.push_back({&terms_[c].slip, &terms_[c].gap, sense * rate, c});
+    if (sense != 0 && rate != 0) couplings.push_back({c, sense * rate});
   }
   return couplings;
 }

@@ -274,7 +274,6 @@ struct ContactSolver {
         states);
     report.iterations += found.solutions;
     report.interior_solutions += found.solutions;
-    report.tangent.fallbacks += found.fallbacks;
     begin_states();
     evaluate();
     if (!found.found) failure = SolutionStatus::not_positive_definite;

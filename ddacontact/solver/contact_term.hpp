@@ -3,6 +3,8 @@
 
 #include <ddacontact/core/affine_form.hpp>
 
+#include <cstddef>
+
 namespace ddacontact {
 
 /// A contact with its friction bound frozen: N = lambda - p g on the gap, kept >= -tension where unilateral,
@@ -19,6 +21,12 @@ struct ContactTerm {
   /// absent: no force at all, neither normal nor shear (the vertex is not on the edge).
   enum class Normal { unilateral, bilateral, absent } normal = Normal::unilateral;
   bool sheared = true;  ///< false: nothing acts along the slip
+};
+
+/// A term rate * grad s (grad g)^T of the matrix: friction of a contact that follows its normal force.
+struct Coupling {
+  std::size_t contact;
+  double rate;  ///< N/m per m
 };
 
 /// A force that follows its form, F = force - stiffness * change of the form, clipped to [low, high].

@@ -84,7 +84,7 @@ void FrictionProblem::set_pattern(const std::vector<ContactTerm>& contacts) {
     append(contact.gap.unknowns());
   }
   // Steps go on from what a record holds, which says nothing of orders.
-  if (matrix_.set_connectivity(n_equations_, connectivity) || is_dissected_) {
+  if (matrix_.set_connectivity(n_equations_, connectivity) || is_dissected_ || !cholesky_.is_analyzed()) {
     cholesky_.analyze(matrix_.lower());
     is_dissected_ = false;
   }
@@ -101,9 +101,11 @@ void FrictionProblem::order_for_many(const std::vector<ContactTerm>& contacts) {
 }
 
 bool FrictionProblem::factorize(const std::vector<ContactTerm>& contacts,
-                                const std::vector<unsigned char>& active) {
+                                const std::vector<unsigned char>& active,
+                                const std::vector<Coupling>& couplings) {
   assert(active.size() == contacts.size());
-  if (factored_springs_ == active) return keeps_factor_ || cholesky_.factorize(matrix_.lower());
+  if (couplings.empty() && factored_springs_ == active)
+    return keeps_factor_ || cholesky_.factorize(matrix_.lower());
   factored_springs_.reset();
   if (!has_pattern_) set_pattern(contacts);
   matrix_.set_zero();
@@ -117,6 +119,11 @@ bool FrictionProblem::factorize(const std::vector<ContactTerm>& contacts,
     if (active[c] & shear_acts)  // (47)
       matrix_.add_outer(e, contact.tangential_stiffness, contact.slip.coefficients());
   }
+  for (const Coupling& coupling : couplings)
+    matrix_.add_outer(n_elements + static_cast<int>(coupling.contact), coupling.rate,
+                      contacts[coupling.contact].slip.coefficients(),
+                      contacts[coupling.contact].gap.coefficients());
+  if (!couplings.empty()) return cholesky_.factorize(matrix_.lower(), matrix_.more_above());
   if (!cholesky_.factorize(matrix_.lower())) return false;
   factored_springs_ = active;
   return true;

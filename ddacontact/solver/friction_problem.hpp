@@ -1,7 +1,7 @@
 /// \file The problem of a step with frozen rotations, contact normals and friction bounds.
 #pragma once
 
-#include <ddacontact/solver/coupled_solution.hpp>
+#include <ddacontact/solver/contact_term.hpp>
 #include <ddacontact/solver/line_search.hpp>
 #include <polyfem/assembly/pattern_matrix.hpp>
 
@@ -58,11 +58,13 @@ class FrictionProblem {
   /// Whether `factorize` leaves the last factor as it is when that is of the same matrix (it does unless told
   /// otherwise), or makes the same one again.
   void keep_factor(bool keep) { keeps_factor_ = keep; }
-  /// Factorizes A + springs of the contacts, those that `active` names (see active_springs), unless that is
-  /// what the last factor is of: as long as `matrices_changed` says nothing and the same springs act.
-  /// False: not positive definite.
+  /// Factorizes A + springs of the contacts, those that `active` names (see active_springs), + friction that
+  /// follows normal forces; unless that is what the last factor is of: as long as `matrices_changed` says
+  /// nothing, the same springs act and no friction follows. False: not positive definite; with friction:
+  /// singular.
   [[nodiscard]] bool factorize(const std::vector<ContactTerm>& contacts,
-                               const std::vector<unsigned char>& active);
+                               const std::vector<unsigned char>& active,
+                               const std::vector<Coupling>& couplings = {});
   /// correction = (last factorized)^-1 residual on the free unknowns, 0 on prescribed ones. The factor may be
   /// of other matrices and springs than the present ones, of the same number of unknowns.
   void solve(const VectorXd& residual, VectorXd& correction);

@@ -19,8 +19,6 @@ constexpr int most_solutions = 60;
 constexpr double near_law = 1e-5, near_balance = 1e-2, nearer = 1e-4;
 /// This part of the contacts does not shorten for the others how far a solution is followed.
 constexpr double trimmed_part = 0.01;
-/// Tolerance of friction.
-constexpr double friction_tolerance = 1e-3;
 /// mu falls to no less than the third power of this part of its mean.
 constexpr double least_part = 1e-3;
 /// The path begins with so many times more of mu where it is not found.
@@ -35,9 +33,6 @@ constexpr double near_path = 0.5, far_from_path = 10;
 constexpr int most_corrections = 4;
 /// Values of mu for which the path is looked for, and solutions to follow it.
 constexpr int most_path_starts = 5, most_path_solutions = 600;
-/// Of friction, in solutions along the path: it may turn where the equations are nearly singular.
-constexpr double path_tolerance = 1e-6;
-
 /// See find_interior_point_states.
 struct InteriorPoint : EvaluatedContacts {
   StepSystem& system;
@@ -48,7 +43,6 @@ struct InteriorPoint : EvaluatedContacts {
   std::vector<Coupling> couplings{};
   std::vector<unsigned char> states{};  ///< told last
   double scale = 0;                     ///< the largest sum of forces on a block
-  bool rough = true;                    ///< iterations solve in single precision, as long as these do
   Residual residual{};
   VectorXd rhs{}, correction{};
   InteriorReport report{};
@@ -119,7 +113,6 @@ struct InteriorPoint : EvaluatedContacts {
   /// its end, whether mu falls or rises on the way: where friction is large there are several solutions, and
   /// the path turns round between them, where Newton's method for a smaller mu leads nowhere.
   void follow_path() {
-    rough = false;
     const int last = report.solutions + most_path_solutions;
     bool on_path = false;
     int n_starts = 0, n_corrections = most_solutions;
@@ -203,12 +196,12 @@ struct InteriorPoint : EvaluatedContacts {
 
   PathStep look_along_path(double mean) {
     PathStep path;
-    solve_for(mean, 0, path_tolerance);
+    solve_for(mean, 0);
     path.centred = inside;
     path.correction = correction;
     path.C = relative_changes();
     path.C.push_back(0);
-    solve_for(0, 0, path_tolerance);
+    solve_for(0, 0);
     path.D = relative_changes();
     path.D.push_back(-1);
     double CD = 0, DD = 0;
@@ -291,25 +284,24 @@ struct InteriorPoint : EvaluatedContacts {
       terms[c].normal_stiffness = i.w * i.p;
       terms[c].tangential_stiffness = i.wt * i.p_t;
       active[c] = i.sheared ? all_act : normal_acts;
-      if (i.mixed * i.rate != 0)
-        couplings.push_back({&terms[c].slip, &terms[c].gap, i.mixed * i.rate * i.w * i.p, c});
+      if (i.mixed * i.rate != 0) couplings.push_back({c, i.mixed * i.rate * i.w * i.p});
     }
-    return system.problem().factorize(terms, active);
+    return system.problem().factorize(terms, active, couplings);
   }
 
   /// As far as it looks that mu may fall, with what is known of the second order then. Returns mu; where no
   /// contact acts yet, that of the start.
   double find_direction(double mean) {
-    solve_for(0, 0, friction_tolerance);
+    solve_for(0, 0);
     if (mean == 0) return scale * scale;
     const double length = longest(), part = std::max(mean_product(length) / mean, least_part),
                  mu = mean * part * part * part;
-    solve_for(mu, length, friction_tolerance);
+    solve_for(mu, length);
     return mu;
   }
 
   /// Newton's method for balance and the contacts' equations.
-  void solve_for(double mu, double second_order, double tolerance) {
+  void solve_for(double mu, double second_order) {
     rhs = residual.force;
     for (std::size_t c = 0; c < inside.size(); ++c) {
       InteriorContact& i = inside[c];
@@ -318,12 +310,7 @@ struct InteriorPoint : EvaluatedContacts {
       terms[c].gap.add_gradient(-i.cN, rhs);
       if (i.sheared) terms[c].slip.add_gradient(-(i.cT + i.mixed * i.rate * i.cN), rhs);
     }
-    const LinearSolution exact = [&](const VectorXd&b, VectorXd&x) { system.problem().solve(b, x); },
-                         quick = [&](const VectorXd&b, VectorXd&x) { system.problem().solve_roughly(b, x); };
-    if (!solve_coupled(exact, rough ? quick : exact, couplings, rhs, tolerance, correction)) {
-      ++report.fallbacks;
-      if (std::exchange(rough, false)) solve_coupled(exact, exact, couplings, rhs, tolerance, correction);
-    }
+    system.problem().solve(rhs, correction);
     for (std::size_t c = 0; c < inside.size(); ++c) {
       InteriorContact& i = inside[c];
       if (!i.acts) continue;

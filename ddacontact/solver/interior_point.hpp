@@ -13,7 +13,6 @@ namespace ddacontact {
 struct InteriorReport {
   bool found = false;  ///< false: forces are not finite, or the matrix is not positive definite
   int solutions = 0;   ///< each with a factor of its own
-  int fallbacks = 0;   ///< of them with friction that was not found to the tolerance
 };
 
 /// The contacts of a step with their laws and terms, which follow the displacements.

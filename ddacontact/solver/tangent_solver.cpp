@@ -30,7 +30,8 @@ void multiply_tangent(FrictionProblem& problem, const std::vector<ContactTerm>& 
     if (active[c] & all_act)
       add(contacts[c].gap, contacts[c].slip, active[c] & normal_acts ? contacts[c].normal_stiffness : 0,
           active[c] & shear_acts ? contacts[c].tangential_stiffness : 0, 0);
-  for (const Coupling& coupling : couplings) add(*coupling.column, *coupling.row, 0, 0, coupling.rate);
+  for (const Coupling& coupling : couplings)
+    add(contacts[coupling.contact].gap, contacts[coupling.contact].slip, 0, 0, coupling.rate);
   y = problem.free_part(y);
 }
 
@@ -39,11 +40,10 @@ bool TangentSolver::solve(const std::vector<ContactTerm>& terms, const std::vect
   assert(active.size() == terms.size());
   if (stale_ && has_factor_ && solve_with_stale_factor(terms, active, couplings, b, x)) return true;
   has_factor_ = false;
-  if (!problem_.factorize(terms, active)) return false;
+  if (!problem_.factorize(terms, active, couplings)) return false;
   has_factor_ = true;
   factored_ = active;
-  const auto solution = [&](const VectorXd& in, VectorXd& out) { problem_.solve(in, out); };
-  if (!solve_coupled(solution, solution, couplings, b, tolerance, x)) ++counts_.fallbacks;
+  problem_.solve(b, x);
   return true;
 }
 

@@ -12,9 +12,7 @@ namespace ddacontact {
 struct TangentCounts {
   int with_stale_factor = 0;  ///< solutions by Krylov iteration on an older factor
   int iterations = 0;         ///< of Krylov in those
-  /// Solutions on an older factor that did not converge and were made by a new one; and solutions by factors
-  /// with friction that was not found to the tolerance.
-  int fallbacks = 0;
+  int fallbacks = 0;  ///< solutions on an older factor that did not converge and were made by a new one
 
   TangentCounts& operator+=(const TangentCounts& more) {
     with_stale_factor += more.with_stale_factor;
@@ -26,7 +24,6 @@ struct TangentCounts {
 
 /// y = (A + springs that act + couplings) x on the free unknowns, 0 on the held ones, where x must be 0.
 /// \param[in] active     see active_springs
-/// \param[in] couplings  each of the gap and the slip of one contact
 void multiply_tangent(FrictionProblem& problem, const std::vector<ContactTerm>& contacts,
                       const std::vector<unsigned char>& active, const std::vector<Coupling>& couplings,
                       const VectorXd& x, VectorXd& y);

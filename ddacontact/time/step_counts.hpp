@@ -19,7 +19,7 @@ struct StepCounts {
   long sweeps = 0;                                              ///< over the contacts, see ContactSweeps
   long solutions_with_stale_factor = 0, krylov_iterations = 0;  ///< see TangentSolver
   long interior_solutions = 0;   ///< of contact_iterations, those of the interior-point method
-  long solver_fallbacks = 0;     ///< sweeps, stale factors and friction by factors that did not converge
+  long solver_fallbacks = 0;     ///< sweeps and solutions on older factors that did not converge
   double largest_tolerance = 0;  ///< to which contacts were solved in any accepted substep
   long broken_bonds = 0;
   long impacts = 0;          ///< contacts that met with a speed that counts

@@ -1,4 +1,4 @@
-/// \file Sparse Cholesky factorization (CHOLMOD) that keeps its analysis while the pattern holds.
+/// \file Sparse factorization that keeps its analysis while the pattern holds: CHOLMOD orders, fronts eliminate.
 #pragma once
 
 #include <polyfem/core/types.hpp>
@@ -36,7 +36,8 @@ struct CholeskyWork {
   }
 };
 
-/// K = L L^T of a symmetric positive definite matrix given by its lower triangle.
+/// K = L L^T of a symmetric positive definite matrix given by its lower triangle; K = L U of one whose pattern
+/// alone is symmetric.
 class Cholesky {
  public:
   Cholesky();
@@ -52,23 +53,29 @@ class Cholesky {
   /// The same with the ordering given: the rows in the order in which to eliminate them (up to a reordering
   /// that leaves the number of entries of L as it is).
   void analyze(const SparseMatrix& lower, std::span<const int> order);
+  /// Whether the last analysis was made: one that lacked memory was not.
+  bool is_analyzed() const;
   /// Computes L for the analyzed pattern; false when K is not positive definite (nothing to solve with then).
   [[nodiscard]] bool factorize(const SparseMatrix& lower);
-  /// The same in single precision alone, of half the memory: then there are rough solutions only, see
+  /// K = L U of the matrix whose upper triangle has so much more than the lower one: `more_above`, at the
+  /// places of the entries of `lower`, transposed. Rows are not exchanged: for matrices that would be positive
+  /// definite without that. False: a pivot is 0, or no number.
+  [[nodiscard]] bool factorize(const SparseMatrix& lower, const VectorXd& more_above);
+  /// `factorize(lower)` in single precision alone, of half the memory: then there are rough solutions only, see
   /// `refined_solution`. False, and nothing is made, where it gains no time (small matrices), or where pivots
   /// lose half of the digits: whether K is positive definite is not said by this.
   [[nodiscard]] bool factorize_roughly(const SparseMatrix& lower);
   /// x = K^-1 b with the last factor.
   void solve(const VectorXd& b, VectorXd& x);
-  /// The same in single precision where L is supernodal: of large factors half as much is read, of the rough
+  /// The same in single precision where that gains time: of large factors half as much is read, of the rough
   /// factor or of a copy that the first such solution makes.
   void solve_roughly(const VectorXd& b, VectorXd& x);
 
-  /// The row whose pivot was not positive in the last factorization; -1 when all were.
+  /// The row whose pivot did not serve in the last factorization; -1 when all did.
   int failed_row() const;
   /// Entries of L that the last analysis found.
   double n_factor_entries() const;
-  /// Bytes of the heap: of the factor, and what CHOLMOD works in and keeps.
+  /// Bytes of the heap: of the factor, what it is made in, and what CHOLMOD keeps.
   double memory() const;
 
   int n_analyses() const { return work_.n_analyses; }
@@ -77,7 +84,7 @@ class Cholesky {
   const CholeskyWork& work() const { return work_; }
 
  private:
-  void analyze(const SparseMatrix& lower, int ordering, const int* order);
+  bool factorize(const SparseMatrix& lower, const VectorXd* more_above);
 
   struct Factor;
   std::unique_ptr<Factor> factor_;

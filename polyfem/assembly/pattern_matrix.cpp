@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 #include <string>
+#include <utility>
 
 namespace polyfem {
 namespace {
@@ -184,6 +185,7 @@ bool PatternMatrix::set_connectivity(int n_rows, const Connectivity& connectivit
 
 void PatternMatrix::set_zero() {
   std::fill_n(lower_.valuePtr(), lower_.nonZeros(), 0.);
+  more_above_.resize(0);
 }
 
 void PatternMatrix::set_identity() {
@@ -195,12 +197,11 @@ void PatternMatrix::set_identity() {
 // which only the lower one is stored, unless both rows are the same: then both fall on the diagonal.
 
 template <int size, class Entry>
-void PatternMatrix::add_groups(int element, const Entry& entry) {
+void PatternMatrix::add_groups(int element, const Entry& entry, double* values) {
   const auto groups = groups_.rows_of(element);
   const int n = static_cast<int>(groups.size());
   const int* slot = slot_.data() + first_slot_[static_cast<std::size_t>(element)];
   const int* outer = lower_.outerIndexPtr();
-  double* values = lower_.valuePtr();
   for (int j = 0; j < n; ++j)
     for (int i = j; i < n; ++i, ++slot) {
       if (*slot < 0) continue;
@@ -222,33 +223,59 @@ void PatternMatrix::add_groups(int element, const Entry& entry) {
 }
 
 template <class Entry>
-void PatternMatrix::add_entries(int element, const Entry& entry) {
+void PatternMatrix::add_entries(int element, const Entry& entry, double* values) {
   switch (group_size_) {
     case 3:
-      return add_groups<3>(element, entry);
+      return add_groups<3>(element, entry, values);
     case 2:
-      return add_groups<2>(element, entry);
+      return add_groups<2>(element, entry, values);
     default:
-      return add_groups<1>(element, entry);
+      return add_groups<1>(element, entry, values);
   }
 }
 
 void PatternMatrix::add(int element, const Eigen::Ref<const MatrixXd>& matrix) {
   assert(matrix.rows() == group_size_ * static_cast<Index>(groups_.rows_of(element).size()) &&
          matrix.cols() == matrix.rows());
-  add_entries(element, [&](int i, int j) { return matrix(i, j); });
+  add_entries(
+      element, [&](int i, int j) { return matrix(i, j); }, lower_.valuePtr());
 }
 
 void PatternMatrix::add_outer(int element, double factor, std::span<const double> a) {
   assert(a.size() == static_cast<std::size_t>(group_size_) * groups_.rows_of(element).size());
-  add_entries(element, [factor, a = a.data()](int i, int j) { return factor * a[i] * a[j]; });
+  add_entries(
+      element, [factor, a = a.data()](int i, int j) { return factor * a[i] * a[j]; }, lower_.valuePtr());
+}
+
+void PatternMatrix::add_outer(int element, double factor, std::span<const double> a,
+                              std::span<const double> b) {
+  const std::span<const int> groups = groups_.rows_of(element);
+  assert(a.size() == b.size() && a.size() == static_cast<std::size_t>(group_size_) * groups.size());
+  if (more_above_.size() == 0) more_above_.setZero(lower_.nonZeros());
+  const auto row = [&, size = group_size_](int i) {
+    return groups[static_cast<std::size_t>(i / size)] + i % size;
+  };
+  const auto below_and_above = [&](int i, int j) {
+    const double ij = factor * a[i] * b[j], ji = factor * a[j] * b[i], mean = (ij + ji) / 2;
+    return row(i) == row(j) ? std::pair(mean, mean) : row(i) > row(j) ? std::pair(ij, ji) : std::pair(ji, ij);
+  };
+  add_entries(
+      element, [&](int i, int j) { return below_and_above(i, j).first; }, lower_.valuePtr());
+  add_entries(
+      element,
+      [&](int i, int j) {
+        const auto [below, above] = below_and_above(i, j);
+        return above - below;
+      },
+      more_above_.data());
 }
 
 double PatternMatrix::memory() const {
   const auto bytes = [](const auto& numbers) {
     return static_cast<double>(numbers.capacity() * sizeof(numbers[0]));
   };
-  return bytes(groups_.first) + bytes(groups_.rows) + bytes(first_slot_) + bytes(slot_) +
+  return bytes(groups_.first) + sizeof(double) * static_cast<double>(more_above_.size()) +
+         bytes(groups_.rows) + bytes(first_slot_) + bytes(slot_) +
          static_cast<double>(lower_.data().allocatedSize()) *
              (sizeof(double) + sizeof(SparseMatrix::StorageIndex)) +
          static_cast<double>(lower_.outerSize()) * sizeof(SparseMatrix::StorageIndex);

@@ -1,4 +1,4 @@
-/// \file Sparse symmetric matrix assembled from small dense ones into precomputed slots.
+/// \file Sparse matrix of symmetric pattern, assembled from small dense ones into precomputed slots.
 #pragma once
 
 #include <polyfem/assembly/cholesky.hpp>
@@ -29,7 +29,8 @@ struct Connectivity {
   bool operator==(const Connectivity&) const = default;
 };
 
-/// The lower triangle of a sum of small symmetric matrices. The pattern is the union over all elements of the
+/// The lower triangle of a sum of small symmetric matrices, and of products of vectors what the upper triangle
+/// has more. The pattern is the union over all elements of the
 /// connectivity, with the diagonal; where each entry of each element goes is found once per connectivity.
 class PatternMatrix {
  public:
@@ -43,19 +44,23 @@ class PatternMatrix {
   void add(int element, const Eigen::Ref<const MatrixXd>& matrix);
   /// Adds factor * a a^T.
   void add_outer(int element, double factor, std::span<const double> a);
+  /// Adds factor * a b^T.
+  void add_outer(int element, double factor, std::span<const double> a, std::span<const double> b);
 
   const SparseMatrix& lower() const { return lower_; }
+  /// Of the entries above the diagonal less those below it, see Cholesky::factorize; empty: it is symmetric.
+  const VectorXd& more_above() const { return more_above_; }
   /// Bytes of the heap.
   double memory() const;
 
  private:
   /// Whether the last connectivity was this one.
   bool is_of(const Connectivity& connectivity) const;
-  /// Adds a symmetric matrix: entry(i, j) of the rows of the element.
+  /// Adds a symmetric matrix to the values at the slots: entry(i, j) of the rows of the element.
   template <class Entry>
-  void add_entries(int element, const Entry& entry);
+  void add_entries(int element, const Entry& entry, double* values);
   template <int size, class Entry>
-  void add_groups(int element, const Entry& entry);
+  void add_groups(int element, const Entry& entry, double* values);
 
   /// The rows of all elements come in groups of so many, a multiple of it and the next ones: the columns of a
   /// group have the same rows then, and where one entry of two groups is tells where the others are.
@@ -64,6 +69,7 @@ class PatternMatrix {
   std::vector<std::size_t> first_slot_;  ///< of each element in slot_
   std::vector<int> slot_;  ///< index into lower_.valuePtr() for each two groups of an element, or -1
   SparseMatrix lower_;
+  VectorXd more_above_;
 };
 
 }  // namespace polyfem

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <polyfem/assembly/cholesky.hpp>
+#include <polyfem/assembly/fronts.hpp>
 #include <polyfem/core/large_vector.hpp>
 
 #include <optional>
@@ -13,7 +14,7 @@ namespace polyfem {
 /// L L^T = S K S, S diagonal such that S K S has ones on its diagonal.
 struct SinglePrecisionFactor {
   VectorXd scale;              ///< the diagonal of S
-  LargeVector<float> entries;  ///< of L, where a supernodal factor of CHOLMOD has its own
+  LargeVector<float> entries;  ///< of L, see Fronts
 
   double memory() const {
     return static_cast<double>(sizeof(float) * entries.capacity()) +
@@ -21,15 +22,15 @@ struct SinglePrecisionFactor {
   }
 };
 
-/// Makes it by fronts, one for each group of columns: what a group's elimination subtracts from the rows
-/// below it waits for the group above (I. S. Duff and J. K. Reid, "The multifrontal solution of indefinite
-/// sparse symmetric linear equations", 1983).
+/// Makes it by fronts.
 ///
 /// Nothing when a pivot loses half of the digits, below sqrt(eps) of what stood there: K may be
 /// ill-conditioned then, or not positive definite at all, which is for a factor in double precision to say.
 ///
 /// \param[in] groups  supernodal, analyzed for the pattern of `lower`; its entries are not looked at
+/// \param[in] tree    of these
 std::optional<SinglePrecisionFactor> single_precision_factor(const cholmod_factor_struct& groups,
+                                                             const FrontTree& tree,
                                                              const SparseMatrix& lower);
 
 }  // namespace polyfem

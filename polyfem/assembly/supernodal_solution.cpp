@@ -24,7 +24,7 @@ struct Group {
   Index first, n_columns, n_rows;  ///< rows with those of the block
   const int* row;                  ///< of each of them
   const int* target;               ///< where it adds to them
-  const Real* entries;             ///< n_rows x n_columns, by columns; above the diagonal nothing
+  const Real* entries;  ///< n_rows x n_columns, by columns, with one over the diagonal; above it nothing
 
   Group(const cholmod_factor_struct& L, const Real* of_all, const int* targets, std::size_t s) {
     const int *super = static_cast<const int*>(L.super), *first_row = static_cast<const int*>(L.pi);
@@ -36,46 +36,71 @@ struct Group {
     entries = of_all + static_cast<const int*>(L.px)[s];
   }
   const Real* column(Index c) const { return entries + c * n_rows; }
-  /// The part of a column from a row on.
-  Eigen::Map<const Vector<Real>> below(Index c, Index r) const { return {column(c) + r, n_rows - r}; }
 };
 
-/// L y = x, y in place of x.
+/// L y = x, y in place of x. Four columns at a time: w is read and written once for them.
 template <class Real>
-void solve_lower(const Group<Real>& group, Eigen::Ref<Vector<Real>> work, Eigen::Ref<Vector<Real>> x) {
-  auto w = work.head(group.n_rows);
-  w.head(group.n_columns) = x.segment(group.first, group.n_columns);
-  w.tail(group.n_rows - group.n_columns).setZero();
+void solve_lower(const Group<Real>& group, Real* __restrict w, Real* __restrict x) {
+  const Index n_columns = group.n_columns, n_rows = group.n_rows;
+  std::copy_n(x + group.first, n_columns, w);
+  std::fill(w + n_columns, w + n_rows, Real(0));
   Index c = 0;
-  for (; c + 4 <= group.n_columns; c += 4) {  // four at a time: w is read and written once for them
-    Real y[4];
-    for (Index k = 0; k < 4; ++k) {
-      y[k] = w[c + k];
-      for (Index l = 0; l < k; ++l) y[k] -= group.column(c + l)[c + k] * y[l];
-      w[c + k] = y[k] /= group.column(c + k)[c + k];
-    }
-    const Index r = c + 4;
-    w.tail(group.n_rows - r) -= y[0] * group.below(c, r) + y[1] * group.below(c + 1, r) +
-                                y[2] * group.below(c + 2, r) + y[3] * group.below(c + 3, r);
+  for (; c + 4 <= n_columns; c += 4) {
+    const Real *const l0 = group.column(c), *const l1 = group.column(c + 1), *const l2 = group.column(c + 2),
+                      *const l3 = group.column(c + 3);
+    const Real y0 = w[c] * l0[c], y1 = (w[c + 1] - l0[c + 1] * y0) * l1[c + 1],
+               y2 = (w[c + 2] - l0[c + 2] * y0 - l1[c + 2] * y1) * l2[c + 2],
+               y3 = (w[c + 3] - l0[c + 3] * y0 - l1[c + 3] * y1 - l2[c + 3] * y2) * l3[c + 3];
+    w[c] = y0;
+    w[c + 1] = y1;
+    w[c + 2] = y2;
+    w[c + 3] = y3;
+#pragma omp simd
+    for (Index r = c + 4; r < n_rows; ++r) w[r] -= y0 * l0[r] + y1 * l1[r] + y2 * l2[r] + y3 * l3[r];
   }
-  for (; c < group.n_columns; ++c) {
-    const Real y = w[c] /= group.column(c)[c];
-    w.tail(group.n_rows - c - 1) -= y * group.below(c, c + 1);
+  for (; c < n_columns; ++c) {
+    const Real* const l0 = group.column(c);
+    const Real y = w[c] *= l0[c];
+#pragma omp simd
+    for (Index r = c + 1; r < n_rows; ++r) w[r] -= y * l0[r];
   }
-  x.segment(group.first, group.n_columns) = w.head(group.n_columns);
-  for (Index r = group.n_columns; r < group.n_rows; ++r) x[group.target[r]] += w[r];
+  std::copy_n(w, n_columns, x + group.first);
+  for (Index r = n_columns; r < n_rows; ++r) x[group.target[r]] += w[r];
 }
 
-/// L^T y = x, y in place of x.
+/// U y = x, y in place of x, with the columns of U^T.
 template <class Real>
-void solve_upper(const Group<Real>& group, Eigen::Ref<Vector<Real>> work, Eigen::Ref<Vector<Real>> x) {
-  auto w = work.head(group.n_rows);
-  for (Index r = group.n_columns; r < group.n_rows; ++r) w[r] = x[group.row[r]];
-  for (Index c = group.n_columns; c-- > 0;) {
-    const Real below = group.below(c, c + 1).dot(w.tail(group.n_rows - c - 1));
-    w[c] = (x[group.first + c] - below) / group.column(c)[c];
+void solve_upper(const Group<Real>& group, Real* __restrict w, Real* __restrict x) {
+  const Index n_columns = group.n_columns, n_rows = group.n_rows;
+  for (Index r = n_columns; r < n_rows; ++r) w[r] = x[group.row[r]];
+  Real* const own = x + group.first;
+  Index c = n_columns;
+  while (c % 4 != 0) {
+    --c;
+    const Real* const l0 = group.column(c);
+    Real below = 0;
+#pragma omp simd reduction(+ : below)
+    for (Index r = c + 1; r < n_rows; ++r) below += l0[r] * w[r];
+    w[c] = (own[c] - below) * l0[c];
   }
-  x.segment(group.first, group.n_columns) = w.head(group.n_columns);
+  while (c > 0) {
+    c -= 4;
+    const Real *const l0 = group.column(c), *const l1 = group.column(c + 1), *const l2 = group.column(c + 2),
+                      *const l3 = group.column(c + 3);
+    Real d0 = 0, d1 = 0, d2 = 0, d3 = 0;
+#pragma omp simd reduction(+ : d0, d1, d2, d3)
+    for (Index r = c + 4; r < n_rows; ++r) {
+      d0 += l0[r] * w[r];
+      d1 += l1[r] * w[r];
+      d2 += l2[r] * w[r];
+      d3 += l3[r] * w[r];
+    }
+    w[c + 3] = (own[c + 3] - d3) * l3[c + 3];
+    w[c + 2] = (own[c + 2] - d2 - l2[c + 3] * w[c + 3]) * l2[c + 2];
+    w[c + 1] = (own[c + 1] - d1 - l1[c + 3] * w[c + 3] - l1[c + 2] * w[c + 2]) * l1[c + 1];
+    w[c] = (own[c] - d0 - l0[c + 3] * w[c + 3] - l0[c + 2] * w[c + 2] - l0[c + 1] * w[c + 1]) * l0[c];
+  }
+  std::copy_n(w, n_columns, own);
 }
 
 /// Of groups `first` .. `end` - 1.
@@ -168,41 +193,42 @@ void SupernodalSolution::add_part(const cholmod_factor_struct& L, std::size_t fi
 }
 
 template <class Real>
-void SupernodalSolution::solve(const cholmod_factor_struct& L, const Real* entries, const VectorXd& b,
-                               Vector<Real>& work, VectorXd& x) const {
+void SupernodalSolution::solve(const cholmod_factor_struct& L, const Real* lower, const Real* upper,
+                               const VectorXd& b, Vector<Real>& work, VectorXd& x) const {
   const int* const order = static_cast<const int*>(L.Perm);
   const Index n = b.size();
-  const auto group = [&](std::size_t s) { return Group<Real>(L, entries, target_.data(), s); };
+  const auto of_L = [&](std::size_t s) { return Group<Real>(L, lower, target_.data(), s); };
+  const auto of_U = [&](std::size_t s) { return Group<Real>(L, upper, target_.data(), s); };
   const auto for_parts = [&](const auto& visit) {
     for_ranges(static_cast<Index>(parts_.size()), 1,
                [&](Index k, Index) { visit(parts_[static_cast<std::size_t>(k)]); });
   };
   work.resize(n_work_);
-  auto y = work.head(scratch_);  // unknowns, then sums
-  const auto scratch = [&](Index first) { return work.tail(n_work_ - first); };
+  Real *const y = work.data(), *const scratch = y + scratch_;  // unknowns, then sums
   for (Index k = 0; k < n; ++k) y[k] = static_cast<Real>(b[order[k]]);
   for_parts([&](const Part& part) {
-    y.segment(part.first_sum, part.n_sums).setZero();
-    for (std::size_t s = part.first; s < part.end; ++s) solve_lower<Real>(group(s), scratch(part.scratch), y);
+    std::fill_n(y + part.first_sum, part.n_sums, Real(0));
+    for (std::size_t s = part.first; s < part.end; ++s) solve_lower(of_L(s), y + part.scratch, y);
   });
   for (std::size_t k = 0; k < row_of_sum_.size(); ++k) y[row_of_sum_[k]] += y[n + static_cast<Index>(k)];
-  for (const std::size_t s : above_) solve_lower<Real>(group(s), scratch(scratch_), y);
-  for (auto s = above_.rbegin(); s != above_.rend(); ++s) solve_upper<Real>(group(*s), scratch(scratch_), y);
+  for (const std::size_t s : above_) solve_lower(of_L(s), scratch, y);
+  for (auto s = above_.rbegin(); s != above_.rend(); ++s) solve_upper(of_U(*s), scratch, y);
   for_parts([&](const Part& part) {
-    for (std::size_t s = part.end; s-- > part.first;) solve_upper<Real>(group(s), scratch(part.scratch), y);
+    for (std::size_t s = part.end; s-- > part.first;) solve_upper(of_U(s), y + part.scratch, y);
   });
   x.resize(n);
   for (Index k = 0; k < n; ++k) x[order[k]] = y[k];
 }
 
-void SupernodalSolution::solve(const cholmod_factor_struct& L, const VectorXd& b, VectorXd& x) {
-  solve(L, static_cast<const double*>(L.x), b, work_, x);
+void SupernodalSolution::solve(const cholmod_factor_struct& L, const LargeVector<double>& lower,
+                               const LargeVector<double>& upper, const VectorXd& b, VectorXd& x) {
+  solve(L, lower.data(), upper.data(), b, work_, x);
 }
 
-void SupernodalSolution::solve(const cholmod_factor_struct& L, const LargeVector<float>& entries,
-                               const VectorXd& b, VectorXd& x) {
+void SupernodalSolution::solve(const cholmod_factor_struct& L, const LargeVector<float>& lower,
+                               const LargeVector<float>& upper, const VectorXd& b, VectorXd& x) {
   const double largest = b.lpNorm<Eigen::Infinity>(), scale = largest > 0 ? largest : 1;
-  solve(L, entries.data(), b / scale, rough_work_, x);
+  solve(L, lower.data(), upper.data(), b / scale, rough_work_, x);
   x *= scale;
 }
 
@@ -211,11 +237,6 @@ double SupernodalSolution::memory() const {
                              sizeof(std::size_t) * above_.capacity() + sizeof(Part) * parts_.capacity() +
                              sizeof(double) * static_cast<std::size_t>(work_.size()) +
                              sizeof(float) * static_cast<std::size_t>(rough_work_.size()));
-}
-
-void round_entries(const cholmod_factor_struct& L, LargeVector<float>& entries) {
-  const double* const x = static_cast<const double*>(L.x);
-  entries.assign(x, x + L.xsize);
 }
 
 }  // namespace polyfem

@@ -1,4 +1,4 @@
-/// \file Solutions with a Cholesky factor whose columns are stored in dense groups.
+/// \file Solutions with factors whose columns are stored in dense groups.
 #pragma once
 
 #include <polyfem/core/large_vector.hpp>
@@ -10,8 +10,7 @@ struct cholmod_factor_struct;
 
 namespace polyfem {
 
-/// x = (L L^T)^-1 b, L supernodal and of real numbers with its ordering. CHOLMOD asks BLAS for each group;
-/// those of small blocks have a few columns, for which the calls cost more than what they do.
+/// x = (L U)^-1 b, with the supernodal pattern and the ordering that CHOLMOD has found for L.
 ///
 /// Threads share a large factor by parts of its elimination tree that are connected with the rest by the
 /// groups above them alone. The parts follow from L: x has the same bytes with any number of threads.
@@ -20,12 +19,12 @@ class SupernodalSolution {
   /// What follows from where L has entries.
   void analyze(const cholmod_factor_struct& L);
 
-  void solve(const cholmod_factor_struct& L, const VectorXd& b, VectorXd& x);
+  /// \param[in] lower, upper  entries of L and U^T, see Fronts; the same ones where U = L^T
+  void solve(const cholmod_factor_struct& L, const LargeVector<double>& lower,
+             const LargeVector<double>& upper, const VectorXd& b, VectorXd& x);
   /// The same in single precision.
-  ///
-  /// \param[in] entries  see round_entries
-  void solve(const cholmod_factor_struct& L, const LargeVector<float>& entries, const VectorXd& b,
-             VectorXd& x);
+  void solve(const cholmod_factor_struct& L, const LargeVector<float>& lower, const LargeVector<float>& upper,
+             const VectorXd& b, VectorXd& x);
 
   /// Bytes that it holds.
   double memory() const;
@@ -39,7 +38,7 @@ class SupernodalSolution {
   };
 
   template <class Real>
-  void solve(const cholmod_factor_struct& L, const Real* entries, const VectorXd& b,
+  void solve(const cholmod_factor_struct& L, const Real* lower, const Real* upper, const VectorXd& b,
              Eigen::Matrix<Real, Eigen::Dynamic, 1>& work, VectorXd& x) const;
   void add_part(const cholmod_factor_struct& L, std::size_t first, std::size_t end);
 
@@ -52,8 +51,5 @@ class SupernodalSolution {
   VectorXd work_;
   Eigen::VectorXf rough_work_;
 };
-
-/// The entries of L, rounded. Memory is taken where `entries` has too little.
-void round_entries(const cholmod_factor_struct& L, LargeVector<float>& entries);
 
 }  // namespace polyfem

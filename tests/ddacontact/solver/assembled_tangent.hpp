@@ -33,7 +33,7 @@ SparseMatrix assembled_tangent(const RandomBlocks& blocks, Index n, const Row& r
     if (blocks.active[c] & 2) add_product(term.tangential_stiffness, term.slip, term.slip);
   }
   for (const Coupling& coupling : blocks.couplings)
-    add_product(coupling.rate, *coupling.row, *coupling.column);
+    add_product(coupling.rate, blocks.contacts[coupling.contact].slip, blocks.contacts[coupling.contact].gap);
   SparseMatrix K(n, n);
   K.setFromTriplets(sum.begin(), sum.end());
   return K;

@@ -44,7 +44,7 @@ struct RandomBlocks {
     for (int& e : equation)
       if (e == 0) e = rows++;
     const std::vector<int> order = shuffled(n_blocks);
-    contacts.reserve(static_cast<std::size_t>(n_contacts));  // couplings point to them
+    contacts.reserve(static_cast<std::size_t>(n_contacts));
     for (int c = 0; c < n_contacts; ++c) {
       const int k = integer(0, n_blocks - 2), l = std::min(k + integer(1, 3), n_blocks - 1);
       add_contact(order[static_cast<std::size_t>(k)], order[static_cast<std::size_t>(l)]);
@@ -98,7 +98,7 @@ struct RandomBlocks {
     c.tangential_stiffness = uniform(1, 10);
     active.push_back(static_cast<unsigned char>(c.sheared ? integer(0, 3) : integer(0, 1)));
     if (c.sheared && active.back() == 1)
-      couplings.push_back({&c.slip, &c.gap, uniform(-0.5, 0.5) * c.normal_stiffness, contacts.size() - 1});
+      couplings.push_back({contacts.size() - 1, uniform(-0.5, 0.5) * c.normal_stiffness});
   }
 };
 

@@ -33,7 +33,7 @@ TEST(TangentSolver, SolvesWithFrictionThatFollowsNormalForces) {
     const VectorXd b = blocks.vector(blocks.n_unknowns());
     VectorXd x;
     ASSERT_TRUE(solver.solve(blocks.contacts, blocks.active, blocks.couplings, b, x));
-    EXPECT_LE(part_left(blocks, b, x), 1e-3) << seed;
+    EXPECT_LE(part_left(blocks, b, x), 1e-12) << seed;
     for (int u = 0; u < blocks.n_unknowns(); ++u) EXPECT_TRUE(x[u] == 0 || !blocks.is_prescribed(u));
     EXPECT_EQ(solver.counts().with_stale_factor, 0);
   }
@@ -59,15 +59,16 @@ TEST(TangentSolver, AFactorServesOnWhileFewSpringsChange) {
     }
 }
 
-/// Friction of many contacts: the iteration does not converge, a factor is made, and no other one is tried.
+/// Friction of many contacts turns round: the iteration does not converge, a factor is made, and no other one is
+/// tried.
 TEST(TangentSolver, AFactorThatFailedIsNotTriedAgain) {
   RandomBlocks blocks(5, 40, 200);
-  for (Coupling& coupling : blocks.couplings) coupling.rate *= 10;
   FrictionProblem problem = blocks.problem();
   TangentSolver solver(problem, {});
   const VectorXd b = blocks.vector(blocks.n_unknowns());
   VectorXd x;
   for (int round = 0; round < 3; ++round) {
+    for (Coupling& coupling : blocks.couplings) coupling.rate *= -10;
     ASSERT_TRUE(solver.solve(blocks.contacts, blocks.active, blocks.couplings, b, x));
     EXPECT_LE(part_left(blocks, b, x), 1e-3);
     EXPECT_EQ(solver.counts().fallbacks, round > 0);

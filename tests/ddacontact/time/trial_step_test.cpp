@@ -47,7 +47,7 @@ TEST(TrialStep, ASliderPressesByItsWeightAndIsSlowedByFriction) {
   constexpr double dt = 0.01, friction = 0.4;
   for (const Scheme scheme : {Scheme::decaying, Scheme::midpoint, Scheme::dda}) {
     Scene scene = above_a_plate(scheme, dt, {0, 0}, {1, 0});
-    scene.materials[0].young = 1e14;
+    scene.materials[0].young = 1e13;  // with ten times as much round-off of gaps is 20 N
     scene.joints[0].friction_angle = std::atan(friction) * 180 / std::numbers::pi;
     TrialOf step(scene);
     const TrialSolution solution = step.solve();

@@ -36,7 +36,26 @@ void analyze(const SparseMatrix& K, bool dissected, Cholesky& cholesky) {
     cholesky.analyze(K);
 }
 
-/// Small grids are factorized simplicially, the largest one by supernodes.
+/// An unsymmetric matrix of the pattern of a grid: of the entries above the diagonal each is between -1 and 1.
+struct Unsymmetric {
+  SparseMatrix lower;
+  VectorXd more_above;
+
+  Unsymmetric(int side, double shift) : lower(grid_laplacian(side, shift)), more_above(lower.nonZeros()) {
+    const VectorXd above = random_vector(lower.nonZeros());
+    int k = 0;
+    for (int c = 0; c < lower.cols(); ++c)
+      for (SparseMatrix::InnerIterator entry(lower, c); entry; ++entry, ++k)
+        more_above[k] = entry.row() == c ? 0 : above[k] - entry.value();
+  }
+  double relative_residual(const VectorXd& x, const VectorXd& b) const {
+    SparseMatrix above = lower;
+    Eigen::Map<VectorXd>(above.valuePtr(), above.nonZeros()) += more_above;
+    const VectorXd Kx = lower * x + above.transpose() * x - lower.diagonal().cwiseProduct(x);
+    return (Kx - b).norm() / b.norm();
+  }
+};
+
 class CholeskyOfGrid : public testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(Side, CholeskyOfGrid, testing::Values(1, 2, 5, 20, 150));
 
@@ -98,6 +117,52 @@ TEST_P(CholeskyOfGrid, SolvesRoughlyWithTheLastFactor) {
   cholesky.solve_roughly(VectorXd::Zero(b.size()), x);
   EXPECT_TRUE(x.isZero(0));
   EXPECT_EQ(cholesky.n_solves(), 10);
+}
+
+TEST_P(CholeskyOfGrid, SolvesUnsymmetricEquationsOfTheSamePattern) {
+  const Unsymmetric K(GetParam(), 0.1);
+  const VectorXd b = random_vector(K.lower.rows());
+  VectorXd x, again;
+  for (const bool dissected : {false, true}) {
+    Cholesky cholesky;
+    analyze(K.lower, dissected, cholesky);
+    for (int repetition = 0; repetition < 2; ++repetition) {
+      ASSERT_TRUE(cholesky.factorize(K.lower, K.more_above));
+      cholesky.solve(b, x);
+      EXPECT_LT(K.relative_residual(x, b), 1e-13);
+      cholesky.solve_roughly(b, again);
+      EXPECT_LT(K.relative_residual(again, b), 1e-5);
+      ASSERT_TRUE(cholesky.factorize(K.lower));
+      cholesky.solve(b, x);
+      EXPECT_LT(relative_residual(K.lower, x, b), 1e-13);
+      cholesky.solve_roughly(b, again);
+      EXPECT_LT(relative_residual(K.lower, again, b), 1e-5);
+    }
+    ASSERT_TRUE(cholesky.factorize(K.lower, VectorXd::Zero(K.lower.nonZeros())));
+    cholesky.solve(b, again);
+    EXPECT_LT((again - x).norm(), 1e-13 * x.norm()) << "as the symmetric one";
+  }
+}
+
+/// Pivots below 0 serve, one that is 0 does not.
+TEST(Cholesky, AnUnsymmetricFactorNeedsPivotsOtherThanZero) {
+  const double shift = 0.1;
+  SparseMatrix K = grid_laplacian(5, shift);
+  const VectorXd none = VectorXd::Zero(K.nonZeros()), b = random_vector(K.rows());
+  Cholesky cholesky;
+  cholesky.analyze(K);
+  const SparseMatrix negative = -K;
+  ASSERT_TRUE(cholesky.factorize(negative, none));
+  VectorXd x;
+  cholesky.solve(b, x);
+  EXPECT_LT((negative.selfadjointView<Eigen::Lower>() * x - b).norm(), 1e-13 * b.norm());
+  for (int k = K.outerIndexPtr()[12]; k < K.outerIndexPtr()[13]; ++k) K.valuePtr()[k] = 0;
+  for (int c = 0; c < 12; ++c)
+    if (K.coeff(12, c) != 0) K.coeffRef(12, c) = 0;
+  EXPECT_FALSE(cholesky.factorize(K, none));
+  EXPECT_EQ(cholesky.failed_row(), 12);
+  EXPECT_TRUE(cholesky.factorize(grid_laplacian(5, shift), none));
+  EXPECT_EQ(cholesky.failed_row(), -1);
 }
 
 TEST(Cholesky, SolvesWithTheSameBytesByAnyNumberOfThreads) {

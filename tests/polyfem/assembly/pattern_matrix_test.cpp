@@ -115,6 +115,40 @@ TEST_P(PatternMatrixOfRandomElements, SumsWhatDenseAssemblySums) {
   expect_equal(dense);
 }
 
+TEST_P(PatternMatrixOfRandomElements, AddsProductsOfTwoVectorsBelowTheDiagonalAndAbove) {
+  std::uniform_real_distribution<double> value(-1, 1);
+  for (int round = 0; round < 2; ++round) {
+    MatrixXd dense = MatrixXd::Zero(n_, n_);
+    matrix_.set_zero();
+    EXPECT_EQ(matrix_.more_above().size(), 0);
+    for (int e = 0; e < connectivity_.n_elements(); ++e) {
+      const auto rows = connectivity_.rows_of(e);
+      const Index k = static_cast<Index>(rows.size());
+      VectorXd a(k), b(k);
+      for (Index l = 0; l < k; ++l) {
+        a[l] = value(random_);
+        b[l] = value(random_);
+      }
+      const double factor = value(random_);
+      const std::span<const double> of_a(a.data(), rows.size()), of_b(b.data(), rows.size());
+      if (e % 2 == 0) {
+        matrix_.add_outer(e, factor, of_a, of_b);
+        add_dense(rows, factor * a * b.transpose(), dense);
+      } else {
+        matrix_.add_outer(e, factor, of_a);
+        add_dense(rows, factor * a * a.transpose(), dense);
+      }
+    }
+    expect_equal(dense);
+    if (connectivity_.n_elements() == 0) continue;
+    SparseMatrix above = matrix_.lower();
+    ASSERT_EQ(matrix_.more_above().size(), above.nonZeros());
+    Eigen::Map<VectorXd>(above.valuePtr(), above.nonZeros()) += matrix_.more_above();
+    EXPECT_LT((MatrixXd(above).transpose() - MatrixXd(dense.triangularView<Eigen::Upper>())).norm(),
+              1e-13 * (1 + dense.norm()));
+  }
+}
+
 TEST_P(PatternMatrixOfRandomElements, AddsOuterProductsLikeTheirFullMatrices) {
   std::uniform_real_distribution<double> value(-1, 1);
   MatrixXd dense = MatrixXd::Zero(n_, n_);
