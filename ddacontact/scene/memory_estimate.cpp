@@ -21,8 +21,8 @@ constexpr double of_block = 700, of_vertex = 400, of_cell = 2500, of_unknown_pai
 constexpr double of_contact = 900, contacts_of_vertex = 1.5;
 constexpr double of_matrix_entry = 36, of_swept_entry = 8, of_swept_contact = 600;
 constexpr double of_box_pair = 24;
-/// Entries of the factor: so many n log2 n of n rows; bytes of each with what CHOLMOD works in.
-constexpr double fill = 7, of_factor_entry = 12;
+/// Entries of the factor: so many n log2 n of n rows; bytes of each, in L and U, and of what waits for its front.
+constexpr double fill = 7, of_factor_entry = 22;
 
 /// What counts of a block.
 struct Size {

@@ -3,7 +3,6 @@
 #include <Eigen/QR>
 
 #include <algorithm>
-#include <limits>
 
 namespace ddacontact {
 
@@ -26,13 +25,11 @@ double AndersonAcceleration::advance(const VectorXd& f, VectorXd& x) {
   last_y_ = x;
   last_f_ = f;
   if (const Index n = std::min(n_, depth_); n > 0) {
-    // The normal equations, each difference as long as 1, and what round-off of the products leaves of f once
-    // more: what is left of a difference beside the others counts as none where it is that round-off.
+    // The normal equations, each difference as long as 1, and what their round-off leaves of f once more.
     const VectorXd lengths = products_.diagonal().head(n).cwiseSqrt(),
                    scale = (lengths.array() > 0).select(lengths.cwiseInverse(), 0.);
-    Eigen::ColPivHouseholderQR<MatrixXd> normal(scale.asDiagonal() * products_.topLeftCorner(n, n) *
-                                                scale.asDiagonal());
-    normal.setThreshold(static_cast<double>(f.size()) * std::numeric_limits<double>::epsilon());
+    const Eigen::ColPivHouseholderQR<MatrixXd> normal(scale.asDiagonal() * products_.topLeftCorner(n, n) *
+                                                      scale.asDiagonal());
     VectorXd gamma = VectorXd::Zero(n), left = f;
     for (int k = 0; k < 2; ++k) {
       gamma += scale.cwiseProduct(normal.solve(scale.cwiseProduct(df_.leftCols(n).transpose() * left)));

@@ -27,6 +27,7 @@ struct ContactTerm {
 struct Coupling {
   std::size_t contact;
   double rate;  ///< N/m per m
+  bool operator==(const Coupling&) const = default;
 };
 
 /// A force that follows its form, F = force - stiffness * change of the form, clipped to [low, high].

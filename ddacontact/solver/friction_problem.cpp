@@ -95,17 +95,21 @@ void FrictionProblem::order_for_many(const std::vector<ContactTerm>& contacts) {
   if (n_equations_ < many_equations) return;
   if (!has_pattern_) set_pattern(contacts);
   if (is_dissected_) return;
+  contacts_changed();
   cholesky_.dissect(matrix_.lower());
-  is_dissected_ = true;
-  matrices_changed();
+  is_dissected_ = has_pattern_ = true;
 }
 
 bool FrictionProblem::factorize(const std::vector<ContactTerm>& contacts,
                                 const std::vector<unsigned char>& active,
                                 const std::vector<Coupling>& couplings) {
   assert(active.size() == contacts.size());
-  if (couplings.empty() && factored_springs_ == active)
-    return keeps_factor_ || cholesky_.factorize(matrix_.lower());
+  const auto factorize_matrix = [&] {
+    return couplings.empty() ? cholesky_.factorize(matrix_.lower())
+                             : cholesky_.factorize(matrix_.lower(), matrix_.more_above());
+  };
+  if (factored_springs_ == active && factored_couplings_ == couplings)
+    return keeps_factor_ || factorize_matrix();
   factored_springs_.reset();
   if (!has_pattern_) set_pattern(contacts);
   matrix_.set_zero();
@@ -123,9 +127,10 @@ bool FrictionProblem::factorize(const std::vector<ContactTerm>& contacts,
     matrix_.add_outer(n_elements + static_cast<int>(coupling.contact), coupling.rate,
                       contacts[coupling.contact].slip.coefficients(),
                       contacts[coupling.contact].gap.coefficients());
-  if (!couplings.empty()) return cholesky_.factorize(matrix_.lower(), matrix_.more_above());
-  if (!cholesky_.factorize(matrix_.lower())) return false;
+  if (!factorize_matrix()) return false;
+  if (keeps_factor_) matrix_.forget_above();
   factored_springs_ = active;
+  factored_couplings_ = couplings;
   return true;
 }
 

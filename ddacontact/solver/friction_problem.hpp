@@ -60,7 +60,7 @@ class FrictionProblem {
   void keep_factor(bool keep) { keeps_factor_ = keep; }
   /// Factorizes A + springs of the contacts, those that `active` names (see active_springs), + friction that
   /// follows normal forces; unless that is what the last factor is of: as long as `matrices_changed` says
-  /// nothing, the same springs act and no friction follows. False: not positive definite; with friction:
+  /// nothing, the same springs act and the same friction follows. False: not positive definite; with friction
   /// singular.
   [[nodiscard]] bool factorize(const std::vector<ContactTerm>& contacts,
                                const std::vector<unsigned char>& active,
@@ -107,6 +107,7 @@ class FrictionProblem {
   bool has_pattern_ = false;                                    ///< matrix_ is that of the present contacts
   bool is_dissected_ = false;                                   ///< equations are ordered for many factors
   std::optional<std::vector<unsigned char>> factored_springs_;  ///< none: nothing is factored
+  std::vector<Coupling> factored_couplings_;
   VectorXd rhs_, solution_, residual_, step_, trial_, magnitudes_;
   std::vector<unsigned char> active_, pieces_, trial_pieces_;
   LineSearch line_search_;

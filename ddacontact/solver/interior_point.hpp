@@ -11,7 +11,7 @@ namespace ddacontact {
 
 /// How find_interior_point_states ended.
 struct InteriorReport {
-  bool found = false;  ///< false: forces are not finite, or the matrix is not positive definite
+  bool found = false;  ///< false: forces are not finite, or the matrix is singular
   int solutions = 0;   ///< each with a factor of its own
 };
 

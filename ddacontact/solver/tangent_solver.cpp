@@ -9,7 +9,7 @@ namespace ddacontact {
 
 /// Of |b|: Newton's method repairs what is left.
 constexpr double tolerance = 1e-4;
-constexpr int most_stale_iterations = 12;
+constexpr int most_iterations = 12;
 /// A factor serves as preconditioner as long as no more than this part of the springs has changed.
 constexpr double most_changed = 0.02;
 
@@ -35,38 +35,50 @@ void multiply_tangent(FrictionProblem& problem, const std::vector<ContactTerm>& 
   y = problem.free_part(y);
 }
 
+/// The springs that act, and which way friction follows.
+std::vector<unsigned char> springs_and_senses(std::vector<unsigned char> active,
+                                              const std::vector<Coupling>& couplings) {
+  for (const Coupling& coupling : couplings)
+    active[coupling.contact] |= coupling.rate > 0 ? at_upper : at_lower;
+  return active;
+}
+
 bool TangentSolver::solve(const std::vector<ContactTerm>& terms, const std::vector<unsigned char>& active,
                           const std::vector<Coupling>& couplings, const VectorXd& b, VectorXd& x) {
   assert(active.size() == terms.size());
-  if (stale_ && has_factor_ && solve_with_stale_factor(terms, active, couplings, b, x)) return true;
+  std::vector<unsigned char> springs = springs_and_senses(active, couplings);
+  if (stale_ && has_factor_ && serves(springs)) {
+    stale_ = iterate(terms, active, couplings, b, x);
+    if (stale_) ++counts_.with_stale_factor;
+    if (stale_) return true;
+  }
   has_factor_ = false;
   if (!problem_.factorize(terms, active, couplings)) return false;
   has_factor_ = true;
-  factored_ = active;
+  factored_ = std::move(springs);
   problem_.solve(b, x);
   return true;
 }
 
-bool TangentSolver::solve_with_stale_factor(const std::vector<ContactTerm>& terms,
-                                            const std::vector<unsigned char>& active,
-                                            const std::vector<Coupling>& couplings, const VectorXd& b,
-                                            VectorXd& x) {
+bool TangentSolver::serves(const std::vector<unsigned char>& springs) const {
   std::size_t n_changed = 0;
-  for (std::size_t c = 0; c < active.size(); ++c) n_changed += active[c] != factored_[c];
-  if (static_cast<double>(n_changed) > most_changed * static_cast<double>(active.size())) return false;
+  for (std::size_t c = 0; c < springs.size(); ++c) n_changed += springs[c] != factored_[c];
+  return static_cast<double>(n_changed) <= most_changed * static_cast<double>(springs.size());
+}
+
+bool TangentSolver::iterate(const std::vector<ContactTerm>& terms, const std::vector<unsigned char>& active,
+                            const std::vector<Coupling>& couplings, const VectorXd& b, VectorXd& x) {
   VectorXd solved;
   const auto multiply = [&](const VectorXd& in, VectorXd& out) {
     problem_.solve_roughly(in, solved);
     multiply_tangent(problem_, terms, active, couplings, solved, out);
   };
   VectorXd forces;
-  const KrylovReport report =
-      gmres(multiply, problem_.free_part(b), tolerance, most_stale_iterations, forces);
+  const KrylovReport report = gmres(multiply, problem_.free_part(b), tolerance, most_iterations, forces);
   problem_.solve_roughly(forces, x);
   counts_.iterations += report.iterations;
-  stale_ = report.converged;
-  ++(stale_ ? counts_.with_stale_factor : counts_.fallbacks);
-  return stale_;
+  if (!report.converged) ++counts_.fallbacks;
+  return report.converged;
 }
 
 }  // namespace ddacontact

@@ -12,7 +12,7 @@ namespace ddacontact {
 struct TangentCounts {
   int with_stale_factor = 0;  ///< solutions by Krylov iteration on an older factor
   int iterations = 0;         ///< of Krylov in those
-  int fallbacks = 0;  ///< solutions on an older factor that did not converge and were made by a new one
+  int fallbacks = 0;          ///< iterations that did not converge
 
   TangentCounts& operator+=(const TangentCounts& more) {
     with_stale_factor += more.with_stale_factor;
@@ -29,28 +29,30 @@ void multiply_tangent(FrictionProblem& problem, const std::vector<ContactTerm>& 
                       const VectorXd& x, VectorXd& y);
 
 /// Solves (A + springs that act + friction that follows normal forces) x = b: where few springs changed since
-/// the last factor of the step with that as preconditioner; else with a factor of the springs that act. An
-/// iteration that does not converge is left for the factor, and none is tried again.
+/// the last factor of the step with that as preconditioner; else with a factor of its own. An iteration that
+/// does not converge is left for the factor, and none is tried again.
 class TangentSolver {
  public:
   /// \param[in] problem  its last factor, of an earlier step, is not used
   TangentSolver(FrictionProblem& problem, const Skips& skip) : problem_(problem), stale_(skip.stale_factor) {}
 
-  /// x = 0 on prescribed degrees of freedom. False: the matrix is not positive definite.
+  /// x = 0 on prescribed degrees of freedom. False: the matrix is not positive definite, with friction singular.
   [[nodiscard]] bool solve(const std::vector<ContactTerm>& terms, const std::vector<unsigned char>& active,
                            const std::vector<Coupling>& couplings, const VectorXd& b, VectorXd& x);
 
   const TangentCounts& counts() const { return counts_; }
 
  private:
-  bool solve_with_stale_factor(const std::vector<ContactTerm>& terms,
-                               const std::vector<unsigned char>& active,
-                               const std::vector<Coupling>& couplings, const VectorXd& b, VectorXd& x);
+  /// Whether few springs changed since the last factor.
+  bool serves(const std::vector<unsigned char>& springs) const;
+  /// With the last factor as preconditioner. False: not to the tolerance.
+  bool iterate(const std::vector<ContactTerm>& terms, const std::vector<unsigned char>& active,
+               const std::vector<Coupling>& couplings, const VectorXd& b, VectorXd& x);
 
   FrictionProblem& problem_;
   bool stale_;  ///< whether an older factor still serves
   bool has_factor_ = false;
-  std::vector<unsigned char> factored_;  ///< springs in the last factor of the step
+  std::vector<unsigned char> factored_;  ///< springs in the last factor of the step, and how friction follows
   TangentCounts counts_;
 };
 

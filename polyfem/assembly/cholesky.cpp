@@ -66,12 +66,12 @@ struct Cholesky::Factor {
     if (common.status >= CHOLMOD_OK) return;
     const std::string what =
         std::string("CHOLMOD could not ") + action + " a matrix of " + std::to_string(n_rows) + " rows";
-    const std::string entries =
+    const std::string of_L =
         common.lnz > 0 ? " with " + std::to_string(static_cast<long>(common.lnz)) + " entries" : "";
     if (common.status == CHOLMOD_OUT_OF_MEMORY)
-      throw OutOfMemory(what + ": not enough memory for its factor" + entries);
+      throw OutOfMemory(what + ": not enough memory for its factor" + of_L);
     if (common.status == CHOLMOD_TOO_LARGE)
-      throw OutOfMemory(what + ": its factor" + entries + " is too large for 32-bit indices");
+      throw OutOfMemory(what + ": its factor" + of_L + " is too large for 32-bit indices");
     throw Error(what + " (status " + std::to_string(common.status) + ")");
   }
 };
@@ -113,6 +113,7 @@ Cholesky& Cholesky::operator=(Cholesky&&) noexcept = default;
 void Cholesky::Factor::analyze(const SparseMatrix& lower, std::optional<int> ordering, const int* order) {
   cholmod_free_factor(&L, &common);
   is_analyzed = lower.rows() == 0;
+  failed = -1;
   tree.reset();
   entries = {};
   upper = {};

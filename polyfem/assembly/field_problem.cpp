@@ -318,7 +318,7 @@ void FieldProblem::factorize() {
   prescribed_.take_out(matrix_.lower());
   if (const auto motion = find_free_motion(*mesh_, n_components_, matrix_.lower(), prescribed_, tied_))
     throw Error(words(*motion, *mesh_));
-  if (cholesky_.n_analyses() == 0) {
+  if (!cholesky_.is_analyzed()) {
     const std::vector<int> order =
         elimination_order(*mesh_, cells_at_, matrix_.first_neighbours(), matrix_.neighbours());
     cholesky_.analyze(matrix_.lower(), expanded(order, n_components_));

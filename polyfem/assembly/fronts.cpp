@@ -79,8 +79,8 @@ int eliminate_columns(const DenseBlock<Real>& L, const DenseBlock<Real>& Ut, Rea
   const int n = L.n_columns, left = n == 1 ? 1 : n <= 4 ? n / 2 : (n / 2 + 3) / 4 * 4;
   if (n == 1) {
     const Real pivot = *L.first;
-    if (!(is_symmetric ? pivot > least : std::abs(pivot) > 0) || !std::isfinite(pivot)) return 0;
     const Real inverse = 1 / (is_symmetric ? std::sqrt(pivot) : pivot);
+    if ((is_symmetric && !(pivot > least)) || !std::isfinite(pivot) || !std::isfinite(inverse)) return 0;
     part(Ut, 0, 1) *= inverse;
     *Ut.first = 1;
     *L.first = inverse;
@@ -164,7 +164,7 @@ int Fronts<Real>::eliminate(int s, Real least) {
   }
   const int done = eliminate_columns(L, Ut, least, few_columns_);
   if (done < n || n_below == 0) return done;
-  subtract_product(L.below(n, 0).columns(n), Ut.below(n, 0).columns(n), below, is_symmetric(), few_columns_);
+  subtract_product(L.below(n, 0), Ut.below(n, 0), below, is_symmetric(), few_columns_);
   std::copy_n(top, square(s), waiting_.data() + top_);
   groups_.push_back(s);
   top_ += square(s);

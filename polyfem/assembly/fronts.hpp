@@ -25,7 +25,6 @@ struct DenseBlock {
     return {this->column(column) + row, n_rows - row, n_columns - column, stride};
   }
   DenseBlock columns(int n) const { return {first, n_rows, n, stride}; }
-  DenseBlock rows(int n) const { return {first, n, n_columns, stride}; }
 };
 
 /// The fronts of a matrix: what follows from where a supernodal factor of CHOLMOD has entries. Columns and rows

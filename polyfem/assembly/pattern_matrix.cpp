@@ -168,18 +168,22 @@ bool PatternMatrix::set_connectivity(int n_rows, const Connectivity& connectivit
   groups.first.shrink_to_fit();
   groups.rows.shrink_to_fit();
   SparseMatrix pattern = make_pattern(n_rows, size, groups);
+  std::vector<std::size_t> first_slot(static_cast<std::size_t>(groups.n_elements()) + 1, 0);
+  for (int e = 0; e < groups.n_elements(); ++e) {
+    const std::size_t k = groups.rows_of(e).size();
+    first_slot[static_cast<std::size_t>(e) + 1] = first_slot[static_cast<std::size_t>(e)] + k * (k + 1) / 2;
+  }
+  std::vector<int> slot = std::move(slot_);  // its memory serves again
+  group_size_ = 0;                           // of no connectivity, should memory not suffice for these
+  slot.reserve(first_slot.back());
+  find_slots(groups, pattern, size, slot);
   const bool changed = !have_same_pattern(pattern, lower_);
   if (changed) lower_ = std::move(pattern);
   group_size_ = size;
   groups_ = std::move(groups);
+  first_slot_ = std::move(first_slot);
+  slot_ = std::move(slot);
   set_zero();
-  first_slot_.assign(static_cast<std::size_t>(groups_.n_elements()) + 1, 0);
-  for (int e = 0; e < groups_.n_elements(); ++e) {
-    const std::size_t k = groups_.rows_of(e).size();
-    first_slot_[static_cast<std::size_t>(e) + 1] = first_slot_[static_cast<std::size_t>(e)] + k * (k + 1) / 2;
-  }
-  slot_.reserve(first_slot_.back());
-  find_slots(groups_, lower_, group_size_, slot_);
   return changed;
 }
 

@@ -50,6 +50,8 @@ class PatternMatrix {
   const SparseMatrix& lower() const { return lower_; }
   /// Of the entries above the diagonal less those below it, see Cholesky::factorize; empty: it is symmetric.
   const VectorXd& more_above() const { return more_above_; }
+  /// Frees their memory.
+  void forget_above() { more_above_.resize(0); }
   /// Bytes of the heap.
   double memory() const;
 

@@ -2,6 +2,7 @@
 
 #include <cholmod.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>

@@ -44,7 +44,6 @@ struct RandomBlocks {
     for (int& e : equation)
       if (e == 0) e = rows++;
     const std::vector<int> order = shuffled(n_blocks);
-    contacts.reserve(static_cast<std::size_t>(n_contacts));
     for (int c = 0; c < n_contacts; ++c) {
       const int k = integer(0, n_blocks - 2), l = std::min(k + integer(1, 3), n_blocks - 1);
       add_contact(order[static_cast<std::size_t>(k)], order[static_cast<std::size_t>(l)]);

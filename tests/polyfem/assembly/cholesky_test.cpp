@@ -163,6 +163,20 @@ TEST(Cholesky, AnUnsymmetricFactorNeedsPivotsOtherThanZero) {
   EXPECT_EQ(cholesky.failed_row(), 12);
   EXPECT_TRUE(cholesky.factorize(grid_laplacian(5, shift), none));
   EXPECT_EQ(cholesky.failed_row(), -1);
+  EXPECT_FALSE(cholesky.factorize(K, none));
+  cholesky.analyze(SparseMatrix(0, 0));
+  EXPECT_EQ(cholesky.failed_row(), -1) << "of another matrix";
+}
+
+/// Its inverse is no number.
+TEST(Cholesky, ADenormalPivotDoesNotServe) {
+  SparseMatrix K(2, 2);
+  K.insert(0, 0) = 1e-310;
+  K.insert(1, 1) = 1;
+  K.makeCompressed();
+  Cholesky cholesky;
+  cholesky.analyze(K);
+  EXPECT_FALSE(cholesky.factorize(K, VectorXd::Zero(2)));
 }
 
 TEST(Cholesky, SolvesWithTheSameBytesByAnyNumberOfThreads) {

@@ -142,8 +142,11 @@ TEST_P(PatternMatrixOfRandomElements, AddsProductsOfTwoVectorsBelowTheDiagonalAn
     expect_equal(dense);
     if (connectivity_.n_elements() == 0) continue;
     SparseMatrix above = matrix_.lower();
-    ASSERT_EQ(matrix_.more_above().size(), above.nonZeros());
-    Eigen::Map<VectorXd>(above.valuePtr(), above.nonZeros()) += matrix_.more_above();
+    const VectorXd more_above = matrix_.more_above();
+    ASSERT_EQ(more_above.size(), above.nonZeros());
+    Eigen::Map<VectorXd>(above.valuePtr(), above.nonZeros()) += more_above;
+    matrix_.forget_above();
+    EXPECT_EQ(matrix_.more_above().size(), 0);
     EXPECT_LT((MatrixXd(above).transpose() - MatrixXd(dense.triangularView<Eigen::Upper>())).norm(),
               1e-13 * (1 + dense.norm()));
   }
