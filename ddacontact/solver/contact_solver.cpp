@@ -65,11 +65,9 @@ struct ContactSolver {
     assert(d.size() == system.prescribed().size() && options.residual_aim <= options.residual_tolerance);
     if (!d.allFinite()) return end(SolutionStatus::not_finite);
     system.linearize(d);
+    const VectorXd first = d;
     contacts.begin();
-    for (std::size_t c = 0; c < states.size(); ++c) {
-      const Contact& contact = contacts.contacts()[c];
-      states[c] = first_state(contact, contact.law.has_friction() || contacts.is_bonded(c));
-    }
+    take_first_states();
     if (options.skip.cg && !options.is_static && (options.local || options.coarse)) {
       contacts.evaluate(d);
       if (solve_by_sweeps(system, options, contacts, d, report)) return settle();
@@ -108,7 +106,19 @@ struct ContactSolver {
       }
       if (report.iterations < options.max_solutions && follow_states()) continue;
       if (std::exchange(leaves_open, true)) return end(failure);
+      d = first;
+      near = false;
       restart();
+      take_first_states();
+      evaluate_states();
+    }
+  }
+
+  /// Those that the step before left.
+  void take_first_states() {
+    for (std::size_t c = 0; c < states.size(); ++c) {
+      const Contact& contact = contacts.contacts()[c];
+      states[c] = first_state(contact, contact.law.has_friction() || contacts.is_bonded(c));
     }
   }
 
