@@ -49,7 +49,7 @@ bool TangentSolver::solve(const std::vector<ContactTerm>& terms, const std::vect
   std::vector<unsigned char> springs = springs_and_senses(active, couplings);
   if (stale_ && has_factor_ && serves(springs)) {
     stale_ = iterate(terms, active, couplings, b, x);
-    if (stale_) ++counts_.with_stale_factor;
+    counts_.with_stale_factor += stale_;
     if (stale_) return true;
   }
   has_factor_ = false;

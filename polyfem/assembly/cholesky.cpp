@@ -23,8 +23,8 @@ struct Cholesky::Factor {
   cholmod_factor* L = nullptr;
   bool is_analyzed = false;
   std::optional<FrontTree> tree;
-  std::vector<int>
-      place;  ///< of each entry of K among those of L; ~place: of U^T, it is eliminated as one above
+  /// Of each entry of K among those of L; ~place: among those of U^T, it is eliminated as one above.
+  std::vector<int> place;
   LargeVector<double> entries, waiting;
   LargeVector<double> upper;   ///< entries of U^T, of the last unsymmetric K
   bool is_symmetric = true;    ///< the factor is L L^T
@@ -66,12 +66,12 @@ struct Cholesky::Factor {
     if (common.status >= CHOLMOD_OK) return;
     const std::string what =
         std::string("CHOLMOD could not ") + action + " a matrix of " + std::to_string(n_rows) + " rows";
-    const std::string of_L =
+    const std::string size =
         common.lnz > 0 ? " with " + std::to_string(static_cast<long>(common.lnz)) + " entries" : "";
     if (common.status == CHOLMOD_OUT_OF_MEMORY)
-      throw OutOfMemory(what + ": not enough memory for its factor" + of_L);
+      throw OutOfMemory(what + ": not enough memory for its factor" + size);
     if (common.status == CHOLMOD_TOO_LARGE)
-      throw OutOfMemory(what + ": its factor" + of_L + " is too large for 32-bit indices");
+      throw OutOfMemory(what + ": its factor" + size + " is too large for 32-bit indices");
     throw Error(what + " (status " + std::to_string(common.status) + ")");
   }
 };

@@ -76,7 +76,7 @@ void subtract_product(const DenseBlock<Real>& A, const DenseBlock<Real>& B, cons
 template <class Real>
 int eliminate_columns(const DenseBlock<Real>& L, const DenseBlock<Real>& Ut, Real least, int few_columns) {
   const bool is_symmetric = L.first == Ut.first;
-  const int n = L.n_columns, left = n == 1 ? 1 : n <= 4 ? n / 2 : (n / 2 + 3) / 4 * 4;
+  const int n = L.n_columns;
   if (n == 1) {
     const Real pivot = *L.first;
     const Real inverse = 1 / (is_symmetric ? std::sqrt(pivot) : pivot);
@@ -86,6 +86,7 @@ int eliminate_columns(const DenseBlock<Real>& L, const DenseBlock<Real>& Ut, Rea
     *L.first = inverse;
     return 1;
   }
+  const int left = n <= 4 ? n / 2 : (n / 2 + 3) / 4 * 4;
   const DenseBlock<Real> first = L.columns(left), first_t = Ut.columns(left), second = L.below(left, left),
                          second_t = Ut.below(left, left);
   if (const int done = eliminate_columns(first, first_t, least, few_columns); done < left) return done;
@@ -105,7 +106,7 @@ FrontTree::FrontTree(const cholmod_factor_struct& L)
       n_children_(L.nsuper),
       places_(L.ssize) {
   assert(L.is_super);
-  std::vector<int> group_of(L.n), above(L.nsuper, -1), place(L.n), next(L.nsuper, -1), last(L.nsuper, -1);
+  std::vector<int> group_of(L.n), place(L.n), next(L.nsuper, -1), last(L.nsuper, -1);
   for (int s = 0; s < n_groups(); ++s) std::fill_n(group_of.begin() + first_column(s), n_columns(s), s);
   for (int s = 0; s < n_groups(); ++s) {
     const std::span<const int> of_front = rows(s);
@@ -114,10 +115,10 @@ FrontTree::FrontTree(const cholmod_factor_struct& L)
       for (int k = first_row_[child] + n_columns(child); k < first_row_[child + 1]; ++k)
         places_[k] = place[row_[k]];
     if (n_below(s) == 0) continue;
-    above[s] = group_of[of_front[n_columns(s)]];
-    ++n_children_[above[s]];
-    next[s] = last[above[s]];
-    last[above[s]] = s;
+    const int above = group_of[of_front[n_columns(s)]];
+    ++n_children_[above];
+    next[s] = last[above];
+    last[above] = s;
   }
   std::vector<std::ptrdiff_t> squares;
   std::ptrdiff_t waiting = 0;
