@@ -209,20 +209,15 @@ void PatternMatrix::add_groups(int element, const Entry& entry, double* values) 
   for (int j = 0; j < n; ++j)
     for (int i = j; i < n; ++i, ++slot) {
       if (*slot < 0) continue;
-      const int row = groups[static_cast<std::size_t>(i)], column = groups[static_cast<std::size_t>(j)];
-      double entries[size][size];  // by columns
-      for (int l = 0; l < size; ++l)
-        for (int k = 0; k < size; ++k) entries[l][k] = entry(size * i + k, size * j + l);
-      if (size == 1 && i != j && row == column) entries[0][0] *= 2;
-      const int first = std::min(row, column);
+      const auto first = [&](int group) { return groups[static_cast<std::size_t>(group)]; };
+      const int row = first(i) >= first(j) ? i : j, column = i + j - row;
       for (int l = 0; l < size; ++l) {
         // A column of a group lacks the top of the one before.
-        double* const top = values + *slot + (l > 0 ? outer[first + l] - outer[first] - l : 0);
-        if (row >= column)
-          for (int k = i == j ? l : 0; k < size; ++k) top[k] += entries[l][k];
-        else
-          for (int k = 0; k < size; ++k) top[k] += entries[k][l];
+        double* const top =
+            values + *slot + (l > 0 ? outer[first(column) + l] - outer[first(column)] - l : 0);
+        for (int k = i == j ? l : 0; k < size; ++k) top[k] += entry(size * row + k, size * column + l);
       }
+      if (size == 1 && i != j && first(i) == first(j)) values[*slot] += entry(column, row);
     }
 }
 
@@ -253,25 +248,14 @@ void PatternMatrix::add_outer(int element, double factor, std::span<const double
 
 void PatternMatrix::add_outer(int element, double factor, std::span<const double> a,
                               std::span<const double> b) {
-  const std::span<const int> groups = groups_.rows_of(element);
-  assert(a.size() == b.size() && a.size() == static_cast<std::size_t>(group_size_) * groups.size());
+  assert(a.size() == b.size() &&
+         a.size() == static_cast<std::size_t>(group_size_) * groups_.rows_of(element).size());
   if (more_above_.size() == 0) more_above_.setZero(lower_.nonZeros());
-  const auto row = [&, size = group_size_](int i) {
-    return groups[static_cast<std::size_t>(i / size)] + i % size;
-  };
-  const auto below_and_above = [&](int i, int j) {
-    const double ij = factor * a[i] * b[j], ji = factor * a[j] * b[i], mean = (ij + ji) / 2;
-    return row(i) == row(j) ? std::pair(mean, mean) : row(i) > row(j) ? std::pair(ij, ji) : std::pair(ji, ij);
-  };
+  const double *const x = a.data(), *const y = b.data();
   add_entries(
-      element, [&](int i, int j) { return below_and_above(i, j).first; }, lower_.valuePtr());
+      element, [=](int i, int j) { return factor * x[i] * y[j]; }, lower_.valuePtr());
   add_entries(
-      element,
-      [&](int i, int j) {
-        const auto [below, above] = below_and_above(i, j);
-        return above - below;
-      },
-      more_above_.data());
+      element, [=](int i, int j) { return factor * (x[j] * y[i] - x[i] * y[j]); }, more_above_.data());
 }
 
 double PatternMatrix::memory() const {
