@@ -1,7 +1,6 @@
 #include <polyfem/assembly/blas.hpp>
 #include <polyfem/assembly/cholesky.hpp>
 #include <polyfem/assembly/fronts.hpp>
-#include <polyfem/assembly/single_precision_factor.hpp>
 #include <polyfem/assembly/supernodal_solution.hpp>
 #include <polyfem/core/error.hpp>
 #include <polyfem/core/out_of_memory.hpp>
@@ -11,6 +10,9 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <limits>
+#include <new>
 #include <optional>
 #include <string>
 #include <utility>
@@ -26,12 +28,14 @@ struct Cholesky::Factor {
   /// Of each entry of K among those of L; ~place: among those of U^T, it is eliminated as one above.
   std::vector<int> place;
   LargeVector<double> entries, waiting;
-  LargeVector<double> upper;   ///< entries of U^T, of the last unsymmetric K
-  bool is_symmetric = true;    ///< the factor is L L^T
-  std::ptrdiff_t failed = -1;  ///< the column whose pivot did not serve
+  LargeVector<double> upper;  ///< entries of U^T, of the last unsymmetric K
+  bool is_symmetric = true;   ///< the factor is L L^T
+  int failed = -1;            ///< the column whose pivot did not serve
   SupernodalSolution solution_of_groups;
-  SinglePrecisionFactor rough;  ///< made so, or of rounded entries without a scale
-  LargeVector<float> rough_upper;
+  /// Entries in single precision: of the factor, rounded, or of a factor L L^T = S K S made so, S diagonal
+  /// such that S K S has ones on its diagonal.
+  LargeVector<float> rough, rough_upper;
+  VectorXd rough_scale;    ///< the diagonal of S; empty: rounded
   bool has_rough = false;  ///< they are of the present matrix
 
   Factor() {
@@ -45,12 +49,12 @@ struct Cholesky::Factor {
   }
   /// Of another matrix. The memory of a rounded copy serves the next one.
   void outdate_rough() {
-    if (rough.scale.size() > 0) rough = {};
+    if (rough_scale.size() > 0) rough = {};
     has_rough = false;
   }
   void forget_rough() {
-    rough = {};
-    rough_upper = {};
+    rough = rough_upper = {};
+    rough_scale.resize(0);
     has_rough = false;
   }
   Factor(const Factor&) = delete;
@@ -83,6 +87,15 @@ namespace {
 constexpr double some_work = 55, much_work = 100;
 /// Operations of a factor, for which BLAS gains nothing that its buffer of 128 MB would be worth.
 constexpr double few_operations = 1e6;
+
+/// Eliminates all groups. Returns the column whose pivot did not serve; -1: all did.
+template <class Real>
+int eliminate(const FrontTree& tree, Fronts<Real> fronts, Real least) {
+  for (int s = 0; s < tree.n_groups(); ++s)
+    if (const int done = fronts.eliminate(s, least); done < tree.n_columns(s))
+      return tree.first_column(s) + done;
+  return -1;
+}
 
 /// The same storage seen by CHOLMOD, which does not write to it.
 cholmod_sparse view_of_lower(const SparseMatrix& lower) {
@@ -129,28 +142,20 @@ void Cholesky::Factor::analyze(const SparseMatrix& lower, std::optional<int> ord
   check("analyze", lower.rows());
   tree.emplace(*L);
   find_places(lower);
-  solution_of_groups.analyze(*L);
+  solution_of_groups.analyze(*tree);
   is_analyzed = true;
 }
 
 void Cholesky::Factor::find_places(const SparseMatrix& lower) {
-  const int n = static_cast<int>(L->n);
-  const int *const order = static_cast<const int*>(L->Perm), *const outer = lower.outerIndexPtr(),
-                   *const inner = lower.innerIndexPtr();
-  std::vector<int> row_of(L->n), group_of(L->n);  // in the order of elimination
-  for (int k = 0; k < n; ++k) row_of[order[k]] = k;
-  for (int s = 0; s < tree->n_groups(); ++s)
-    std::fill_n(group_of.begin() + tree->first_column(s), tree->n_columns(s), s);
+  const int n = tree->n_rows(), *const outer = lower.outerIndexPtr(), *const inner = lower.innerIndexPtr();
+  std::vector<int> row_of(n);  // in the order of elimination
+  for (int k = 0; k < n; ++k) row_of[tree->original_row(k)] = k;
   place.resize(static_cast<std::size_t>(outer[n]));
   for (int c = 0; c < n; ++c)
     for (int k = outer[c]; k < outer[c + 1]; ++k) {
       const int of_c = row_of[c], of_row = row_of[inner[k]];
-      const auto [column, row] = std::minmax({of_c, of_row});
-      const int s = group_of[column];
-      const std::span<const int> rows = tree->rows(s);
-      const std::ptrdiff_t n_rows = std::ssize(rows), at = std::ranges::lower_bound(rows, row) - rows.begin();
-      place[k] = static_cast<int>(tree->first_entry(s) + (column - tree->first_column(s)) * n_rows + at);
-      if (of_row < of_c) place[k] = ~place[k];
+      const auto at = static_cast<int>(tree->place_of(std::max(of_c, of_row), std::min(of_c, of_row)));
+      place[k] = of_row < of_c ? ~at : at;
     }
 }
 
@@ -194,13 +199,13 @@ bool Cholesky::factorize(const SparseMatrix& lower, const VectorXd* more_above) 
   f.is_symmetric = !more_above;
   const auto clear = [&](LargeVector<double>& entries) {
     if (entries.empty())
-      entries = LargeVector<double>(f.L->xsize);
+      entries = LargeVector<double>(f.tree->n_entries());
     else
       std::ranges::fill(entries, 0);
   };
   const bool by_blas = f.common.fl > few_operations;
   if (by_blas)
-    expect_room_for_blas(sizeof(double) * ((more_above ? 2 : 1) * f.L->xsize +
+    expect_room_for_blas(sizeof(double) * ((more_above ? 2 : 1) * f.tree->n_entries() +
                                            static_cast<std::size_t>(f.tree->most_waiting())));
   try {
     clear(f.entries);
@@ -222,32 +227,41 @@ bool Cholesky::factorize(const SparseMatrix& lower, const VectorXd* more_above) 
     f.upper[place] = f.place[k] < 0 ? below : above;
   }
   double *const L = f.entries.data(), *const Ut = more_above ? f.upper.data() : L;
-  Fronts<double> fronts(*f.tree, L, Ut, f.waiting, by_blas);
-  for (int s = 0; s < f.tree->n_groups() && f.failed < 0; ++s)
-    if (const int done = fronts.eliminate(s, 0); done < f.tree->n_columns(s))
-      f.failed = f.tree->first_column(s) + done;
+  f.failed = eliminate(*f.tree, Fronts<double>(*f.tree, L, Ut, f.waiting, by_blas), 0.);
   return f.failed < 0;
 }
 
 bool Cholesky::factorize_roughly(const SparseMatrix& lower) {
-  assert(factor_->L || lower.rows() == 0);
-  if (lower.rows() == 0 || factor_->common.fl < much_work * factor_->common.lnz) return false;
+  Factor& f = *factor_;
+  assert(f.L || lower.rows() == 0);
+  if (lower.rows() == 0 || f.common.fl < much_work * f.common.lnz) return false;
   const Stopwatch watch(work_.factorization);
-  expect_room_for_blas(sizeof(float) *
-                       (factor_->L->xsize + static_cast<std::size_t>(factor_->tree->most_waiting())));
-  factor_->forget_rough();
+  const auto most_waiting = static_cast<std::size_t>(f.tree->most_waiting());
+  expect_room_for_blas(sizeof(float) * (f.tree->n_entries() + most_waiting));
+  f.forget_rough();
+  const VectorXd diagonal = lower.diagonal();
+  if (!(diagonal.array() > 0).all()) return false;
+  f.rough_scale = diagonal.cwiseSqrt().cwiseInverse();
   try {
-    if (std::optional<SinglePrecisionFactor> made =
-            single_precision_factor(*factor_->L, *factor_->tree, lower)) {
-      factor_->rough = std::move(*made);
-      factor_->has_rough = true;
-      ++work_.n_factorizations;
-    }
+    f.rough = LargeVector<float>(f.tree->n_entries());
+    LargeVector<float> waiting(most_waiting);
+    for (int c = 0; c < lower.cols(); ++c)
+      for (int k = lower.outerIndexPtr()[c]; k < lower.outerIndexPtr()[c + 1]; ++k)
+        f.rough[f.place[k] < 0 ? ~f.place[k] : f.place[k]] = static_cast<float>(
+            lower.valuePtr()[k] * f.rough_scale[c] * f.rough_scale[lower.innerIndexPtr()[k]]);
+    // A pivot that has lost half of the digits: K may be ill-conditioned, or not positive definite at all.
+    const float least = std::sqrt(std::numeric_limits<float>::epsilon());
+    Fronts<float> fronts(*f.tree, f.rough.data(), f.rough.data(), waiting, true);
+    f.has_rough = eliminate(*f.tree, fronts, least) < 0;
   } catch (const std::bad_alloc&) {
-    factor_->common.status = CHOLMOD_OUT_OF_MEMORY;
-    factor_->check("factorize", lower.rows());
+    f.common.status = CHOLMOD_OUT_OF_MEMORY;
+    f.check("factorize", lower.rows());
   }
-  return factor_->has_rough;
+  if (f.has_rough)
+    ++work_.n_factorizations;
+  else
+    f.forget_rough();
+  return f.has_rough;
 }
 
 void Cholesky::solve(const VectorXd& b, VectorXd& x) {
@@ -256,31 +270,29 @@ void Cholesky::solve(const VectorXd& b, VectorXd& x) {
   x.resize(b.size());
   if (b.size() == 0) return;
   assert(factor_->L && static_cast<Index>(factor_->L->n) == b.size());
-  factor_->solution_of_groups.solve(*factor_->L, factor_->entries, factor_->above(), b, x);
+  factor_->solution_of_groups.solve(*factor_->tree, factor_->entries, factor_->above(), b, x);
 }
 
 void Cholesky::solve_roughly(const VectorXd& b, VectorXd& x) {
-  if (b.size() == 0 || (!factor_->has_rough && factor_->common.fl < some_work * factor_->common.lnz)) {
+  Factor& f = *factor_;
+  if (b.size() == 0 || (!f.has_rough && f.common.fl < some_work * f.common.lnz)) {
     solve(b, x);
     return;
   }
   ++work_.n_solves;
   const Stopwatch watch(work_.solution);
-  SinglePrecisionFactor& rough = factor_->rough;
-  if (!factor_->has_rough) {
-    rough.scale.resize(0);
-    rough.entries.assign(factor_->entries.begin(), factor_->entries.end());
-    if (!factor_->is_symmetric) factor_->rough_upper.assign(factor_->upper.begin(), factor_->upper.end());
-    factor_->has_rough = true;
+  if (!f.has_rough) {
+    f.rough_scale.resize(0);
+    f.rough.assign(f.entries.begin(), f.entries.end());
+    if (!f.is_symmetric) f.rough_upper.assign(f.upper.begin(), f.upper.end());
+    f.has_rough = true;
   }
-  if (rough.scale.size() == 0) {
-    factor_->solution_of_groups.solve(*factor_->L, rough.entries,
-                                      factor_->is_symmetric ? rough.entries : factor_->rough_upper, b, x);
+  if (f.rough_scale.size() == 0) {
+    f.solution_of_groups.solve(*f.tree, f.rough, f.is_symmetric ? f.rough : f.rough_upper, b, x);
     return;
   }
-  factor_->solution_of_groups.solve(*factor_->L, rough.entries, rough.entries, b.cwiseProduct(rough.scale),
-                                    x);
-  x.array() *= rough.scale.array();
+  f.solution_of_groups.solve(*f.tree, f.rough, f.rough, b.cwiseProduct(f.rough_scale), x);
+  x.array() *= f.rough_scale.array();
 }
 
 bool Cholesky::is_analyzed() const {
@@ -288,16 +300,18 @@ bool Cholesky::is_analyzed() const {
 }
 
 int Cholesky::failed_row() const {
-  return factor_->failed < 0 ? -1 : static_cast<const int*>(factor_->L->Perm)[factor_->failed];
+  return factor_->failed < 0 ? -1 : factor_->tree->original_row(factor_->failed);
 }
 
 double Cholesky::memory() const {
   const Factor& f = *factor_;
-  return static_cast<double>(f.common.memory_inuse) + f.rough.memory() + f.solution_of_groups.memory() +
+  return static_cast<double>(f.common.memory_inuse) + f.solution_of_groups.memory() +
          (f.tree ? f.tree->memory() : 0) +
-         static_cast<double>(sizeof(int) * f.place.capacity() + sizeof(float) * f.rough_upper.capacity() +
+         static_cast<double>(sizeof(int) * f.place.capacity() +
+                             sizeof(float) * (f.rough.capacity() + f.rough_upper.capacity()) +
                              sizeof(double) *
-                                 (f.entries.capacity() + f.upper.capacity() + f.waiting.capacity()));
+                                 (f.entries.capacity() + f.upper.capacity() + f.waiting.capacity() +
+                                  static_cast<std::size_t>(f.rough_scale.size())));
 }
 
 double Cholesky::n_factor_entries() const {

@@ -1,8 +1,6 @@
 #include <polyfem/assembly/fronts.hpp>
 #include <polyfem/core/types.hpp>
 
-#include <cholmod.h>
-
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -98,42 +96,6 @@ int eliminate_columns(const DenseBlock<Real>& L, const DenseBlock<Real>& Ut, Rea
 
 }  // namespace
 
-FrontTree::FrontTree(const cholmod_factor_struct& L)
-    : super_(static_cast<const int*>(L.super)),
-      first_row_(static_cast<const int*>(L.pi)),
-      first_entry_(static_cast<const int*>(L.px)),
-      row_(static_cast<const int*>(L.s)),
-      n_children_(L.nsuper),
-      places_(L.ssize) {
-  assert(L.is_super);
-  std::vector<int> group_of(L.n), place(L.n), next(L.nsuper, -1), last(L.nsuper, -1);
-  for (int s = 0; s < n_groups(); ++s) std::fill_n(group_of.begin() + first_column(s), n_columns(s), s);
-  for (int s = 0; s < n_groups(); ++s) {
-    const std::span<const int> of_front = rows(s);
-    for (std::size_t k = 0; k < of_front.size(); ++k) place[of_front[k]] = static_cast<int>(k);
-    for (int child = last[s]; child >= 0; child = next[child])
-      for (int k = first_row_[child] + n_columns(child); k < first_row_[child + 1]; ++k)
-        places_[k] = place[row_[k]];
-    if (n_below(s) == 0) continue;
-    const int above = group_of[of_front[n_columns(s)]];
-    ++n_children_[above];
-    next[s] = last[above];
-    last[above] = s;
-  }
-  std::vector<std::ptrdiff_t> squares;
-  std::ptrdiff_t waiting = 0;
-  for (int s = 0; s < n_groups(); ++s) {
-    const std::ptrdiff_t square = static_cast<std::ptrdiff_t>(n_below(s)) * n_below(s);
-    most_waiting_ = std::max(most_waiting_, waiting + square);
-    for (int k = 0; k < n_children(s); ++k) {
-      waiting -= squares.back();
-      squares.pop_back();
-    }
-    if (square > 0) squares.push_back(square);
-    waiting += square;
-  }
-}
-
 template <class Real>
 Fronts<Real>::Fronts(const FrontTree& tree, Real* L, Real* Ut, LargeVector<Real>& waiting, bool by_blas)
     : tree_(tree),
@@ -145,14 +107,8 @@ Fronts<Real>::Fronts(const FrontTree& tree, Real* L, Real* Ut, LargeVector<Real>
 }
 
 template <class Real>
-DenseBlock<Real> Fronts<Real>::columns(int s, Real* entries) const {
-  const int n_rows = static_cast<int>(tree_.rows(s).size());
-  return {entries + tree_.first_entry(s), n_rows, tree_.n_columns(s), n_rows};
-}
-
-template <class Real>
 int Fronts<Real>::eliminate(int s, Real least) {
-  const DenseBlock<Real> L = columns(s, L_), Ut = columns(s, Ut_);
+  const DenseBlock<Real> L = tree_.columns(s, L_), Ut = tree_.columns(s, Ut_);
   const int n = L.n_columns, n_below = tree_.n_below(s);
   Real* const top = waiting_.data() + top_;
   std::fill_n(top, square(s), Real(0));

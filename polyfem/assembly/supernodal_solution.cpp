@@ -2,10 +2,10 @@
 
 #include <polyfem/core/parallel.hpp>
 
-#include <cholmod.h>
-
 #include <algorithm>
+#include <iterator>
 #include <numeric>
+#include <span>
 
 namespace polyfem {
 
@@ -18,24 +18,22 @@ constexpr double few_entries = 1e6, largest_part = 1. / 16, least_part = 1. / 25
 template <class Real>
 using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
 
-/// Columns that have the same rows below the block on their diagonal.
+/// The columns of a group in L or U^T: one over the diagonal on it, above it nothing.
 template <class Real>
 struct Group {
-  Index first, n_columns, n_rows;  ///< rows with those of the block
+  Index first, n_columns, n_rows;  ///< rows with those of the block on the diagonal
   const int* row;                  ///< of each of them
   const int* target;               ///< where it adds to them
-  const Real* entries;  ///< n_rows x n_columns, by columns, with one over the diagonal; above it nothing
+  DenseBlock<const Real> entries;
 
-  Group(const cholmod_factor_struct& L, const Real* of_all, const int* targets, std::size_t s) {
-    const int *super = static_cast<const int*>(L.super), *first_row = static_cast<const int*>(L.pi);
-    first = super[s];
-    n_columns = super[s + 1] - super[s];
-    n_rows = first_row[s + 1] - first_row[s];
-    row = static_cast<const int*>(L.s) + first_row[s];
-    target = targets + first_row[s];
-    entries = of_all + static_cast<const int*>(L.px)[s];
-  }
-  const Real* column(Index c) const { return entries + c * n_rows; }
+  Group(const FrontTree& tree, const Real* of_all, const std::vector<int>& targets, int s)
+      : first(tree.first_column(s)),
+        n_columns(tree.n_columns(s)),
+        n_rows(std::ssize(tree.rows(s))),
+        row(tree.rows(s).data()),
+        target(targets.data() + tree.first_row(s)),
+        entries(tree.columns(s, of_all)) {}
+  const Real* column(Index c) const { return entries.column(static_cast<int>(c)); }
 };
 
 /// L y = x, y in place of x. Four columns at a time: w is read and written once for them.
@@ -104,57 +102,56 @@ void solve_upper(const Group<Real>& group, Real* __restrict w, Real* __restrict 
 }
 
 /// Of groups `first` .. `end` - 1.
-Index most_rows(const cholmod_factor_struct& L, std::size_t first, std::size_t end) {
-  const int* const first_row = static_cast<const int*>(L.pi);
-  int most = 0;
-  for (std::size_t s = first; s < end; ++s) most = std::max(most, first_row[s + 1] - first_row[s]);
+Index most_rows(const FrontTree& tree, int first, int end) {
+  Index most = 0;
+  for (int s = first; s < end; ++s) most = std::max<Index>(most, std::ssize(tree.rows(s)));
   return most;
+}
+
+/// Of the fronts of groups `first` .. `end` - 1, one after another.
+std::span<const int> rows_of(const FrontTree& tree, int first, int end) {
+  return {tree.rows(first).data(), static_cast<std::size_t>(tree.first_row(end) - tree.first_row(first))};
 }
 
 }  // namespace
 
-void SupernodalSolution::analyze(const cholmod_factor_struct& L) {
-  const auto n_groups = L.nsuper;
-  const int *super = static_cast<const int*>(L.super), *first_row = static_cast<const int*>(L.pi),
-            *row = static_cast<const int*>(L.s);
+void SupernodalSolution::analyze(const FrontTree& tree) {
+  const int n_groups = tree.n_groups();
   parts_.clear();
   above_.clear();
   row_of_sum_.clear();
-  target_.assign(row, row + L.ssize);
+  const std::span<const int> rows = rows_of(tree, 0, n_groups);
+  target_.assign(rows.begin(), rows.end());
 
   // Entries of each group with all below it, and where these begin: groups are in postorder.
-  std::vector<int> group_of(L.n);
-  for (std::size_t s = 0; s < n_groups; ++s)
-    std::fill(group_of.begin() + super[s], group_of.begin() + super[s + 1], static_cast<int>(s));
   std::vector<double> below(n_groups, 0);
-  std::vector<std::size_t> first(n_groups), parent(n_groups, n_groups);
-  std::iota(first.begin(), first.end(), std::size_t(0));
-  for (std::size_t s = 0; s < n_groups; ++s) {
-    const int n_columns = super[s + 1] - super[s], n_rows = first_row[s + 1] - first_row[s];
-    below[s] += static_cast<double>(n_columns) * n_rows;
-    if (n_rows == n_columns) continue;
-    parent[s] = static_cast<std::size_t>(group_of[static_cast<std::size_t>(row[first_row[s] + n_columns])]);
-    below[parent[s]] += below[s];
-    first[parent[s]] = std::min(first[parent[s]], first[s]);
+  std::vector<int> first(n_groups);
+  std::iota(first.begin(), first.end(), 0);
+  for (int s = 0; s < n_groups; ++s) {
+    below[s] += static_cast<double>(tree.n_columns(s)) * static_cast<double>(tree.rows(s).size());
+    const int parent = tree.above(s);
+    if (parent < 0) continue;
+    below[parent] += below[s];
+    first[parent] = std::min(first[parent], first[s]);
   }
 
-  const auto n_entries = static_cast<double>(L.xsize);
+  const auto n_entries = static_cast<double>(tree.n_entries());
   const double most = n_entries < few_entries ? 0 : largest_part * n_entries;
-  std::size_t begin = 0, end = 0;  // of the part that grows
+  int begin = 0, end = 0;  // of the part that grows
   double entries = 0;
   const auto close = [&] {
     if (entries > least_part * n_entries)
-      add_part(L, begin, end);
+      add_part(tree, begin, end);
     else
-      for (std::size_t s = begin; s < end; ++s) above_.push_back(s);
+      for (int s = begin; s < end; ++s) above_.push_back(s);
     begin = end;
     entries = 0;
   };
-  for (std::size_t s = 0; s < n_groups; ++s) {
+  for (int s = 0; s < n_groups; ++s) {
     if (below[s] > most) {
       close();
       above_.push_back(s);
-    } else if (parent[s] == n_groups || below[parent[s]] > most) {
+    } else if (tree.above(s) < 0 || below[tree.above(s)] > most) {
       if (end != first[s] || entries + below[s] > most) close();
       if (entries == 0) begin = first[s];
       entries += below[s];
@@ -164,77 +161,76 @@ void SupernodalSolution::analyze(const cholmod_factor_struct& L) {
   close();
 
   // Where groups work follows the sums, those above the parts first.
-  scratch_ = static_cast<Index>(L.n + row_of_sum_.size());
-  n_work_ = scratch_ + most_rows(L, 0, n_groups);
+  scratch_ = tree.n_rows() + std::ssize(row_of_sum_);
+  n_work_ = scratch_ + most_rows(tree, 0, n_groups);
   for (Part& part : parts_) {
     part.scratch = n_work_;
-    n_work_ += most_rows(L, part.first, part.end);
+    n_work_ += most_rows(tree, part.first, part.end);
   }
 }
 
-void SupernodalSolution::add_part(const cholmod_factor_struct& L, std::size_t first, std::size_t end) {
-  const int *super = static_cast<const int*>(L.super), *first_row = static_cast<const int*>(L.pi),
-            *row = static_cast<const int*>(L.s);
+void SupernodalSolution::add_part(const FrontTree& tree, int first, int end) {
   // Sums follow the unknowns in the work vector.
-  const std::size_t first_sum = L.n + row_of_sum_.size();
+  const Index first_sum = tree.n_rows() + std::ssize(row_of_sum_);
+  const int end_column = tree.first_column(end);
+  const std::span<const int> rows = rows_of(tree, first, end);
   std::vector<int> sum_of_row;
-  for (int k = first_row[first]; k < first_row[end]; ++k)
-    if (row[k] >= super[end]) sum_of_row.push_back(row[k]);
-  std::sort(sum_of_row.begin(), sum_of_row.end());
+  std::ranges::copy_if(rows, std::back_inserter(sum_of_row), [&](int row) { return row >= end_column; });
+  std::ranges::sort(sum_of_row);
   sum_of_row.erase(std::unique(sum_of_row.begin(), sum_of_row.end()), sum_of_row.end());
-  for (int k = first_row[first]; k < first_row[end]; ++k)
-    if (row[k] >= super[end])
-      target_[static_cast<std::size_t>(k)] =
-          static_cast<int>(first_sum) +
-          static_cast<int>(std::lower_bound(sum_of_row.begin(), sum_of_row.end(), row[k]) -
-                           sum_of_row.begin());
-  parts_.push_back({first, end, static_cast<Index>(first_sum), static_cast<Index>(sum_of_row.size()), 0});
+  int* target = target_.data() + tree.first_row(first);
+  for (const int row : rows) {
+    if (row >= end_column)
+      *target =
+          static_cast<int>(first_sum + (std::ranges::lower_bound(sum_of_row, row) - sum_of_row.begin()));
+    ++target;
+  }
+  parts_.push_back({first, end, first_sum, std::ssize(sum_of_row), 0});
   row_of_sum_.insert(row_of_sum_.end(), sum_of_row.begin(), sum_of_row.end());
 }
 
 template <class Real>
-void SupernodalSolution::solve(const cholmod_factor_struct& L, const Real* lower, const Real* upper,
-                               const VectorXd& b, Vector<Real>& work, VectorXd& x) const {
-  const int* const order = static_cast<const int*>(L.Perm);
-  const Index n = b.size();
-  const auto of_L = [&](std::size_t s) { return Group<Real>(L, lower, target_.data(), s); };
-  const auto of_U = [&](std::size_t s) { return Group<Real>(L, upper, target_.data(), s); };
+void SupernodalSolution::solve(const FrontTree& tree, const Real* lower, const Real* upper, const VectorXd& b,
+                               Vector<Real>& work, VectorXd& x) const {
+  const int n = tree.n_rows();
+  const auto of_L = [&](int s) { return Group<Real>(tree, lower, target_, s); };
+  const auto of_U = [&](int s) { return Group<Real>(tree, upper, target_, s); };
   const auto for_parts = [&](const auto& visit) {
     for_ranges(static_cast<Index>(parts_.size()), 1,
                [&](Index k, Index) { visit(parts_[static_cast<std::size_t>(k)]); });
   };
   work.resize(n_work_);
   Real *const y = work.data(), *const scratch = y + scratch_;  // unknowns, then sums
-  for (Index k = 0; k < n; ++k) y[k] = static_cast<Real>(b[order[k]]);
+  for (int k = 0; k < n; ++k) y[k] = static_cast<Real>(b[tree.original_row(k)]);
   for_parts([&](const Part& part) {
     std::fill_n(y + part.first_sum, part.n_sums, Real(0));
-    for (std::size_t s = part.first; s < part.end; ++s) solve_lower(of_L(s), y + part.scratch, y);
+    for (int s = part.first; s < part.end; ++s) solve_lower(of_L(s), y + part.scratch, y);
   });
   for (std::size_t k = 0; k < row_of_sum_.size(); ++k) y[row_of_sum_[k]] += y[n + static_cast<Index>(k)];
-  for (const std::size_t s : above_) solve_lower(of_L(s), scratch, y);
+  for (const int s : above_) solve_lower(of_L(s), scratch, y);
   for (auto s = above_.rbegin(); s != above_.rend(); ++s) solve_upper(of_U(*s), scratch, y);
   for_parts([&](const Part& part) {
-    for (std::size_t s = part.end; s-- > part.first;) solve_upper(of_U(s), y + part.scratch, y);
+    for (int s = part.end; s-- > part.first;) solve_upper(of_U(s), y + part.scratch, y);
   });
   x.resize(n);
-  for (Index k = 0; k < n; ++k) x[order[k]] = y[k];
+  for (int k = 0; k < n; ++k) x[tree.original_row(k)] = y[k];
 }
 
-void SupernodalSolution::solve(const cholmod_factor_struct& L, const LargeVector<double>& lower,
+void SupernodalSolution::solve(const FrontTree& tree, const LargeVector<double>& lower,
                                const LargeVector<double>& upper, const VectorXd& b, VectorXd& x) {
-  solve(L, lower.data(), upper.data(), b, work_, x);
+  solve(tree, lower.data(), upper.data(), b, work_, x);
 }
 
-void SupernodalSolution::solve(const cholmod_factor_struct& L, const LargeVector<float>& lower,
+void SupernodalSolution::solve(const FrontTree& tree, const LargeVector<float>& lower,
                                const LargeVector<float>& upper, const VectorXd& b, VectorXd& x) {
   const double largest = b.lpNorm<Eigen::Infinity>(), scale = largest > 0 ? largest : 1;
-  solve(L, lower.data(), upper.data(), b / scale, rough_work_, x);
+  solve(tree, lower.data(), upper.data(), b / scale, rough_work_, x);
   x *= scale;
 }
 
 double SupernodalSolution::memory() const {
-  return static_cast<double>(sizeof(int) * (target_.capacity() + row_of_sum_.capacity()) +
-                             sizeof(std::size_t) * above_.capacity() + sizeof(Part) * parts_.capacity() +
+  return static_cast<double>(sizeof(int) * (target_.capacity() + row_of_sum_.capacity() + above_.capacity()) +
+                             sizeof(Part) * parts_.capacity() +
                              sizeof(double) * static_cast<std::size_t>(work_.size()) +
                              sizeof(float) * static_cast<std::size_t>(rough_work_.size()));
 }
