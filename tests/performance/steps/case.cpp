@@ -1,7 +1,7 @@
 #include "case.hpp"
 
-#include "cholmod_limit.hpp"
 #include "clock.hpp"
+#include "factor_times.hpp"
 #include "step_matrix.hpp"
 
 #include <fmt/format.h>
@@ -99,10 +99,10 @@ class Samples {
   std::array<std::vector<double>, phases.size()> by_phase_;
 };
 
-void add_limit(Stepper& stepper, double most_mb, Measurement& row) {
+void add_factor_times(Stepper& stepper, double most_mb, Measurement& row) {
   const polyfem::SparseMatrix matrix = step_matrix(stepper);
-  const CholmodTimes amd = cholmod_times(matrix, Ordering::amd, most_mb),
-                     metis = cholmod_times(matrix, Ordering::metis, most_mb);
+  const FactorTimes amd = cholmod_times(matrix, Ordering::amd, most_mb),
+                    metis = cholmod_times(matrix, Ordering::metis, most_mb);
   row.amd_analysis = amd.analysis;
   row.amd_factorization = amd.factorization;
   row.amd_solution = amd.solution;
@@ -111,6 +111,11 @@ void add_limit(Stepper& stepper, double most_mb, Measurement& row) {
   row.metis_factorization = metis.factorization;
   row.metis_solution = metis.solution;
   row.metis_factor = metis.factor;
+  if (row.cholmod() == 0) return;
+  const FactorTimes own = own_times(matrix);
+  row.own_analysis = own.analysis;
+  row.own_factorization = own.factorization;
+  row.own_solution = own.solution;
 }
 
 }  // namespace
@@ -193,7 +198,7 @@ Measurement measure(const Case& what, const Effort& effort) {
   row.contacts = static_cast<double>(counts.contacts);
   row.largest_speed =
       stepper.state().velocity.size() > 0 ? stepper.state().velocity.cwiseAbs().maxCoeff() : 0;
-  if (effort.cholmod) add_limit(stepper, effort.factor_mb, row);
+  if (effort.cholmod) add_factor_times(stepper, effort.factor_mb, row);
   return row;
 }
 

@@ -46,12 +46,12 @@ void print(const Measurement& m) {
   fmt::print(
       "{:<10} {:<8} {:<8} {:>7} s {:>8} blocks {:<10} {:>9.3g} ms: detection {:.3g}, assembly {:.3g}, "
       "analysis "
-      "{:.3g}, factorization {:.3g}, solution {:.3g}, solver {:.3g}, update {:.3g}, rest {:.3g}; limit "
+      "{:.3g}, factorization {:.3g}, solution {:.3g}, solver {:.3g}, update {:.3g}, rest {:.3g}; CHOLMOD "
       "{:.3g}; "
       "{:.3g} iterations, {:.3g} factorizations; {:.0f} MB; {}\n",
       m.scene, m.start, m.method, m.time_step, m.blocks, m.without, ms(m.total), ms(m.detection),
       ms(m.assembly), ms(m.analysis), ms(m.factorization), ms(m.solution), ms(m.solver), ms(m.update),
-      ms(m.rest), ms(m.limit()), m.iterations, m.factorizations, m.peak, m.status);
+      ms(m.rest), ms(m.cholmod()), m.iterations, m.factorizations, m.peak, m.status);
   std::fflush(stdout);
 }
 

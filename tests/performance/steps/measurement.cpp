@@ -9,7 +9,7 @@
 
 namespace step_performance {
 
-double Measurement::limit() const {
+double Measurement::cholmod() const {
   const double by_amd = amd_factorization + amd_solution, by_metis = metis_factorization + metis_solution;
   return by_amd > 0 && by_metis > 0 ? std::min(by_amd, by_metis) : std::max(by_amd, by_metis);
 }
@@ -58,7 +58,10 @@ const std::vector<Column>& columns() {
                                        {"metis_analysis_s", &M::metis_analysis},
                                        {"metis_factorization_s", &M::metis_factorization},
                                        {"metis_solution_s", &M::metis_solution},
-                                       {"metis_factor_mb", &M::metis_factor}};
+                                       {"metis_factor_mb", &M::metis_factor},
+                                       {"own_analysis_s", &M::own_analysis},
+                                       {"own_factorization_s", &M::own_factorization},
+                                       {"own_solution_s", &M::own_solution}};
   return all;
 }
 

@@ -46,12 +46,14 @@ struct Measurement {
   // CHOLMOD alone on the matrix of the last step, s and MB: vertices ordered by AMD and by METIS.
   double amd_analysis = 0, amd_factorization = 0, amd_solution = 0, amd_factor = 0;
   double metis_analysis = 0, metis_factorization = 0, metis_solution = 0, metis_factor = 0;
+  // Of the same matrix the fronts of polydda.
+  double own_analysis = 0, own_factorization = 0, own_solution = 0;
 
   /// Seconds of the linear solver, and of everything else.
   double linear() const { return analysis + factorization + solution; }
   double outside() const { return total - linear(); }
-  /// Seconds that a factorization and a solution take at least; 0 when not known.
-  double limit() const;
+  /// Seconds of a factorization and a solution by CHOLMOD in the better order; 0 when not known.
+  double cholmod() const;
 };
 
 /// A column: its name and where its value is.

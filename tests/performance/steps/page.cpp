@@ -56,7 +56,7 @@ int main(int argc, char** argv) {
     page.fill("bars", markdown(bars_table(tables)));
     page.fill("growth", markdown(growth_table(tables.growth)));
     page.fill("phases", markdown(phase_table(tables.growth)));
-    page.fill("limit", markdown(limit_table(tables.growth)));
+    page.fill("factors", markdown(factor_table(tables.growth)));
     page.fill("memory", markdown(memory_table(tables.growth)));
     page.fill("scenes", markdown(phase_table(tables.scenes)));
     page.fill("scene growth", markdown(growth_table(tables.scenes)));

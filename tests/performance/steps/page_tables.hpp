@@ -31,7 +31,7 @@ std::string number_text(double value);
 
 benchmark_page::Table growth_table(std::span<const Measurement> table);
 benchmark_page::Table phase_table(std::span<const Measurement> table);
-benchmark_page::Table limit_table(std::span<const Measurement> table);
+benchmark_page::Table factor_table(std::span<const Measurement> table);
 benchmark_page::Table memory_table(std::span<const Measurement> table);
 /// Each case without a skip beside that with all.
 benchmark_page::Table skip_table(std::span<const Measurement> table);

@@ -71,11 +71,11 @@ std::string phase_picture(const SizeSeries& series) {
   for (const Phase& phase : phases)
     chart.series.push_back(
         line_of_seconds(phase.name, series.rows, [&](const Measurement& row) { return row.*phase.seconds; }));
-  Series limit =
-      line_of_seconds("CHOLMOD, once", series.rows, [](const Measurement& row) { return row.limit(); });
-  limit.guide = true;
-  limit.dots = false;
-  chart.series.push_back(limit);
+  Series cholmod =
+      line_of_seconds("CHOLMOD, once", series.rows, [](const Measurement& row) { return row.cholmod(); });
+  cholmod.guide = true;
+  cholmod.dots = false;
+  chart.series.push_back(cholmod);
   return ddacontact::draw({chart}, {.title = series.name, .width = 720, .plot_height = 260});
 }
 

@@ -1,4 +1,4 @@
-#include "cholmod_limit.hpp"
+#include "factor_times.hpp"
 
 #include "clock.hpp"
 
@@ -79,8 +79,8 @@ std::vector<int> order_of(const SparseMatrix& lower, Ordering ordering, Common& 
 
 }  // namespace
 
-CholmodTimes cholmod_times(const SparseMatrix& lower, Ordering ordering, double most_mb) {
-  CholmodTimes times;
+FactorTimes cholmod_times(const SparseMatrix& lower, Ordering ordering, double most_mb) {
+  FactorTimes times;
   if (lower.rows() == 0) return times;
   omp_set_num_threads(1);  // CHOLMOD's own would wait for each other
   Common common;
@@ -108,6 +108,21 @@ CholmodTimes cholmod_times(const SparseMatrix& lower, Ordering ordering, double 
   });
   cholmod_free_dense(&b, &common);
   common.check();
+  return times;
+}
+
+FactorTimes own_times(const SparseMatrix& lower) {
+  FactorTimes times;
+  if (lower.rows() == 0) return times;
+  polyfem::Cholesky cholesky;
+  times.analysis = median_time(1, [&] { cholesky.analyze(lower); });
+  bool is_definite = true;
+  times.factorization = median_time(3, [&] { is_definite = cholesky.factorize(lower); });
+  if (!is_definite) throw polyfem::Error("the matrix of the step is not positive definite");
+  const polyfem::VectorXd b = polyfem::VectorXd::Ones(lower.rows());
+  polyfem::VectorXd x;
+  times.solution = median_time(3, [&] { cholesky.solve(b, x); });
+  times.factor = 8e-6 * cholesky.n_factor_entries();
   return times;
 }
 

@@ -1,4 +1,4 @@
-/// \file What CHOLMOD alone takes for a matrix: the limit of a step that factorizes once.
+/// \file What a factor of a matrix takes, by CHOLMOD and by the fronts of polydda.
 #pragma once
 
 #include <polyfem/assembly/cholesky.hpp>
@@ -9,13 +9,16 @@ namespace step_performance {
 enum class Ordering { amd, metis };
 
 /// Processor time in s, medians of three except the analysis; MB of the factor.
-struct CholmodTimes {
+struct FactorTimes {
   double analysis = 0, factorization = 0, solution = 0;
   double factor = 0;
 };
 
 /// Supernodal where CHOLMOD takes that for faster; BLAS as it is set. All 0 when the factor would be larger
 /// than `most_mb`. Throws polyfem::Error when CHOLMOD fails.
-CholmodTimes cholmod_times(const polyfem::SparseMatrix& lower, Ordering ordering, double most_mb);
+FactorTimes cholmod_times(const polyfem::SparseMatrix& lower, Ordering ordering, double most_mb);
+
+/// L L^T as steps make it, ordered as polyfem::Cholesky does; the analysis finds the fronts too.
+FactorTimes own_times(const polyfem::SparseMatrix& lower);
 
 }  // namespace step_performance
