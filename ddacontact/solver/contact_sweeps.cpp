@@ -188,7 +188,7 @@ void ContactSweeps::set_entries(const ContactTerm& term, Row& row) {
     for (std::size_t k = 0; k < u.size(); ++k) {
       const int slot = slot_[u[k]], first = slot & ~1;
       if (slot < side.first || slot >= side.first + side.n) continue;
-      if (end == own || end[-1].slot != first) *end++ = {first, {Vec2::Zero(), Vec2::Zero()}};
+      if (end == own || end[-1].slot != first) *end++ = {first, {}};
       end[-1].by[slot - first] = {term.gap.coefficients()[k], sheared ? term.slip.coefficients()[k] : 0};
     }
     const double* const inverse = inverses_.data() + blocks_[side.block].inverse;
@@ -197,7 +197,7 @@ void ContactSweeps::set_entries(const ContactTerm& term, Row& row) {
     for (const Entry* entry = own; entry < end; ++entry) {
       const int n = side.n;
       const double* const from = inverse + (entry->slot - side.first) * n;
-      const Vec2 x = entry->by[0], y = entry->by[1];
+      const auto [x, y] = entry->by;
       for (int k = 0; k < n; k += 2) {
         const Eigen::Map<const Vec2> by_x(from + k), by_y(from + n + k);
         Eigen::Map<Vec2>(columns + k) += x[0] * by_x + y[0] * by_y;
@@ -223,7 +223,7 @@ void ContactSweeps::visit(int r, Vec2& largest) {
   Vec2 at(row.gap, row.slip);
   for (const Entry *entry = entries_.data() + row.first_entry, *end = entry + row.n_entries; entry < end;
        ++entry)
-    at += change()[entry->slot] * entry->by[0] + change()[entry->slot + 1] * entry->by[1];
+    for (int k : {0, 1}) at += change()[entry->slot + k] * Eigen::Map<const Vec2>(entry->by[k].data());
   auto force = forces().col(r);
   if (row.lets_go && force[0] == 0 && force[1] == 0 && at[0] >= 0) return;
   const ContactForce now = row.solve(at[0], at[1], {force[0], force[1]});
@@ -293,8 +293,8 @@ bool ContactSweeps::begin(const std::vector<ContactTerm>& terms, const std::vect
     Row& row = rows_[r];
     const auto c = static_cast<std::size_t>(row.contact);
     row.set_law(terms[c], laws[c], d);
-    row.relative_change = {1 / row.law.scale,
-                           row.law.gap > 0 ? (row.normal + row.normal_compliance) / row.law.gap : 0};
+    row.relative_change = {1 / laws[c].scale,
+                           laws[c].gap > 0 ? (row.normal + row.normal_compliance) / laws[c].gap : 0};
     forces().col(r) << forces_of_all[c].normal, forces_of_all[c].shear;
   });
   return std::ranges::all_of(rows_, [](const Row& row) { return !row.acts || row.is_positive_definite(); });

@@ -62,7 +62,7 @@ class ContactSweeps {
   /// Derivatives of gap and slip of a contact by two unknowns of a block, one after the other.
   struct Entry {
     int slot;
-    std::array<Vec2, 2> by;
+    std::array<std::array<double, 2>, 2> by;  ///< of gap and slip, by each
   };
   /// One of the blocks of a contact: where its unknowns and the columns of A^-1 G^T begin, its displacements
   /// by a unit normal force and by a unit shear force.

@@ -7,18 +7,18 @@ namespace ddacontact {
 
 void SweptContact::set_law(const ContactTerm& term, const SweptLaw& own, const VectorXd& d) {
   assert(own.joint && term.normal_stiffness > 0 && term.tension >= 0);
-  law = own;
   acts = term.normal != ContactTerm::Normal::absent;
   slides = !std::isinf(term.bound);
   tension = term.normal == ContactTerm::Normal::unilateral ? term.tension : inf;
-  lets_go = tension < inf && slides && !law.bonded;
-  sheared = term.sheared && (term.bound > 0 || law.joint->has_friction());
-  has_own_law = law.joint->friction_law;
-  bound = {law.joint->friction, !slides ? inf : law.bonded ? law.joint->cohesion : 0};
+  bonded = own.bonded;
+  lets_go = tension < inf && slides && !bonded;
+  sheared = term.sheared && (term.bound > 0 || own.joint->has_friction());
+  own_law = bonded || own.joint->friction_law ? own.joint : nullptr;
+  bound = {own.joint->friction, slides ? 0 : inf};
   normal_compliance = 1 / term.normal_stiffness;
   tangential_compliance = 1 / term.tangential_stiffness;
   gap = term.gap(d) - term.normal_multiplier * normal_compliance;
-  slip = term.sheared ? term.slip(d) : 0;
+  slip = term.sheared ? term.slip(d) - own.shear * tangential_compliance : 0;
 }
 
 }  // namespace ddacontact

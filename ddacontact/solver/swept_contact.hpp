@@ -15,21 +15,18 @@ namespace ddacontact {
 struct SweptContact {
   double normal = 0, mixed = 0, shear = 0;                  ///< m per N per m; positive definite
   double normal_compliance = 0, tangential_compliance = 0;  ///< of the law's springs, m per N per m
-  double gap = 0, slip = 0;  ///< m, where sweeps begin, the gap from where nothing presses
+  double gap = 0, slip = 0;  ///< m, where sweeps begin, from where its springs are at rest
   double tension = 0;        ///< infinite where it never opens
   CoulombBound bound = {};
-  bool acts = false, slides = false, sheared = false;
-  bool lets_go = false;      ///< no force acts where it is open
-  bool has_own_law = false;  ///< JointLaw::friction_law
-  SweptLaw law = {};
+  const JointLaw* own_law = nullptr;  ///< of one that is bonded, or has a JointLaw::friction_law
+  bool acts = false, slides = false, sheared = false, bonded = false;
+  bool lets_go = false;  ///< no force acts where it is open
 
   /// Takes the law, with gap and slip at d.
   void set_law(const ContactTerm& term, const SweptLaw& own, const VectorXd& d);
   /// The largest magnitude of T under N; infinity where shear has no bound.
   double bound_under(double N) const {
-    if (has_own_law) [[unlikely]]
-      return slides ? shear_bound(*law.joint, N, law.bonded) : inf;
-    return bound.under(N);
+    return own_law && slides ? shear_bound(*own_law, N, bonded) : bound.under(N);
   }
   /// Whether its springs and blocks answer to forces as they must: stiffnesses beyond all others cancel.
   bool is_positive_definite() const {
@@ -43,9 +40,8 @@ struct SweptContact {
     const double an = normal_compliance + normal,
                  rn = normal * before.normal + mixed * before.shear - gap_before;
     if (!sheared) return {std::max(-tension, rn / an), 0};
-    const double at = tangential_compliance + shear, rt = law.shear * tangential_compliance +
-                                                          mixed * before.normal + shear * before.shear -
-                                                          slip_before;
+    const double at = tangential_compliance + shear,
+                 rt = mixed * before.normal + shear * before.shear - slip_before;
     const double determinant = an * at - mixed * mixed;
     assert(determinant > 0);
     const ContactForce stick{(rn * at - rt * mixed) / determinant, (rt * an - rn * mixed) / determinant};
@@ -59,7 +55,7 @@ struct SweptContact {
     }
     // N with T = +- bound(N), the bound linear from there.
     const double sense = stick.shear > 0 ? 1 : -1, most = bound_under(near),
-                 rate = sense * friction_rate(*law.joint, near, law.bonded);
+                 rate = sense * (own_law ? friction_rate(*own_law, near, bonded) : bound.friction);
     const double N = std::max(-tension, (rn - mixed * (sense * most - rate * near)) / (an + rate * mixed));
     return {N, sense * bound_under(N)};
   }
