@@ -34,14 +34,12 @@ void rise(const ContactProperties& properties, double shear_before, Contact& con
 
 /// Forces that the next step begins with.
 void hand_on_forces(bool hands_on, bool means, Contact& contact) {
-  ContactHistory& history = contact.history;
   const double by_dashpot = contact.normal == 0 ? 0 : contact.dashpot_force(contact.gap);
-  const ContactForce of_springs = end_forces_of_joint(contact, means),
-                     end = !hands_on               ? ContactForce{}
-                           : contact.law.compliant ? of_springs
+  const ContactForce end = !hands_on               ? ContactForce{}
+                           : contact.law.compliant ? end_forces_of_joint(contact, means)
                                                    : ContactForce{contact.normal - by_dashpot, contact.shear};
-  history.normal = end.normal;
-  history.shear = end.shear;
+  contact.history.normal = end.normal;
+  contact.history.shear = end.shear;
 }
 
 /// A static correction after which nothing has changed is halved the next time, one that has helped doubled
@@ -64,18 +62,30 @@ void adapt_correction(double penetration_tolerance, Contact& contact) {
 
 }  // namespace
 
-ContactEnds end_histories(const ContactProperties& properties, bool is_static, bool means,
-                          std::vector<Contact>& contacts, Energy& energy) {
+ContactEnds end_histories(const BlockSystem& blocks, const BlockState& next, const StepRule& rule,
+                          const ContactProperties& properties, std::vector<Contact>& contacts,
+                          Energy& energy) {
   ContactEnds ends;
   for (Contact& contact : contacts) {
     ContactHistory& history = contact.history;
     contact.end_gap = contact.gap - history.gap_offset;
     contact.since_asked += static_cast<float>(std::abs(contact.slip_change));
-    if (is_static) adapt_correction(properties.penetration_tolerance, contact);
-    const double shear_before = history.shear;
-    hand_on_forces(contact.closed() && (properties.has_multipliers() || contact.law.compliant), means,
-                   contact);
-    if (is_slipping(history.state)) rise(properties, shear_before, contact, energy);
+    if (rule.starts_at_rest) adapt_correction(properties.penetration_tolerance, contact);
+    const ContactRecord before = contact;
+    hand_on_forces(contact.closed() && (properties.has_multipliers() || contact.law.compliant),
+                   rule.mean_forces(), contact);
+    if (properties.strength(contact.pair).crushes()) {
+      // Where a block turns, a place that follows its force at once makes it alternate in short steps.
+      if (contact.closed() && rule.has_half_steps() && !rule.starts_at_rest)
+        history.normal = (before.history.normal + history.normal) / 2;
+      // The force moves along the face, and the gap that counts as none with it: nothing falls by that, which takes
+      // longer than a short step.
+      const auto gap_of = [&](const ContactRecord& at) {
+        return motion_of(blocks, next, at.pair, properties.inset(at)).start_gap();
+      };
+      history.gap_offset += gap_of(contact) - gap_of(before);
+    }
+    if (is_slipping(history.state)) rise(properties, before.history.shear, contact, energy);
     const bool slid = is_slipping(history.state) && !contact.law.frictionless() && !contact.law.ductile;
     if (slid || !contact.closed()) history.bonded = false;
     assert(std::isfinite(history.normal) && std::isfinite(history.shear) &&

@@ -16,9 +16,10 @@ struct ContactEnds {
 
 /// Writes the histories of the contacts at the end of an accepted step: forces, dilation, bonds and gaps that
 /// count as none.
-/// \param[in] means           the step's forces are those of both ends
+/// \param[in] next            where the blocks are then
 /// \param[in,out] energy      the work of dilation is taken from that of friction
-ContactEnds end_histories(const ContactProperties& properties, bool is_static, bool means,
-                          std::vector<Contact>& contacts, Energy& energy);
+ContactEnds end_histories(const BlockSystem& blocks, const BlockState& next, const StepRule& rule,
+                          const ContactProperties& properties, std::vector<Contact>& contacts,
+                          Energy& energy);
 
 }  // namespace ddacontact

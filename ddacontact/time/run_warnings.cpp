@@ -41,8 +41,7 @@ void RunWarnings::note(const SeenStep& step) {
   const int n_blocks = step.blocks.n_blocks();
   std::vector<char> touches(n_blocks, 0), slides(n_blocks, 0), changes(n_blocks, 0);
   for (const Contact& contact : step.contacts) {
-    const bool closed_before = contact.start_state != ContactState::open;
-    if (!closed_before && !contact.closed()) continue;
+    if (contact.start_state == ContactState::open && !contact.closed()) continue;
     const bool differs = !step.is_first && contact.start_state != contact.history.state;
     const bool slipped = step.has_velocities && contact.closed() &&
                          std::abs(contact.slip_change) > least_slip * contact.size &&

@@ -25,9 +25,8 @@ void Stepper::accept(double dt, const TrialSolution& solution, TrialEnd end) {
     run_.notes.push_back("bolt " + quoted(bolt) + " has torn at time " + std::to_string(next.time) + " s");
   assess(dt, solution, next);
   book_kinetic(kinetic_energy(blocks_, next.velocity), run_.energy.now);
-  const ContactEnds ends =
-      end_histories(trial_.builder().properties(), is_static(), trial_.system().rule().mean_forces(),
-                    trial_.contacts(), run_.energy.now);
+  const ContactEnds ends = end_histories(blocks_, next, trial_.system().rule(), trial_.builder().properties(),
+                                         trial_.contacts(), run_.energy.now);
   account_impact(solution.impact, run_.energy.now);
   note_concave(end.concave, next.time);
   contacts_.assign(trial_.contacts().begin(), trial_.contacts().end());

@@ -37,8 +37,12 @@ void make_compliant(Contact& contact) {
   contact.law.tangential_stiffness = of_joint / 2;
 }
 
-ContactEnds end(std::vector<Contact>& contacts, const ContactProperties& properties, Energy& energy) {
-  return end_histories(properties, false, false, contacts, energy);
+ContactEnds end(std::vector<Contact>& contacts, const ContactProperties& properties, Energy& energy,
+                Scheme scheme = Scheme::dda) {
+  const BlockSystem none(std::vector<std::unique_ptr<Block>>{});
+  StepRule rule;
+  rule.scheme = scheme;
+  return end_histories(none, BlockState(), rule, properties, contacts, energy);
 }
 /// Of a contact alone.
 ContactEnds end(Contact& contact, const JointStrength& joint = {}) {
@@ -90,7 +94,7 @@ TEST(ContactHistories, SpringsOfAJointHandOnTheForcesOfTheEnd) {
     Energy energy;
     ContactProperties penalties = with_joint({.normal_stiffness = of_joint});
     penalties.penetration_tolerance = 0;
-    end_histories(penalties, false, means, contacts, energy);
+    end(contacts, penalties, energy, means ? Scheme::midpoint : Scheme::dda);
     EXPECT_DOUBLE_EQ(contacts[0].history.normal, of_joint * 3e-6);
     EXPECT_DOUBLE_EQ(contacts[0].history.shear, means ? 40 : 25);
     EXPECT_DOUBLE_EQ(contacts[0].end_gap, -3e-6);

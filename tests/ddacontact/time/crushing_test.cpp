@@ -193,6 +193,42 @@ TEST(Crushing, LowersTheLoadOfAnArchAsInLimitAnalysis) {
   }
 }
 
+/// The reference turns as a rigid body about where N = W acts.
+TEST(Crushing, OverturnsAWallInDynamicStepsOfAnyLength) {
+  const double width = 0.5, height = 2, strength = 2e5, mass = 2000 * width * height, weight = 10 * mass,
+               arm = width / 2 - weight / (2 * strength), rise = 0.5, end = 2;
+  const auto by_hand = [&](double push) {
+    const double inertia = mass * ((width * width + height * height) / 12 + arm * arm + height * height / 4);
+    double tilt = 0, rate = 0;
+    constexpr double dt = 1e-4;
+    for (double t = 0; t < end; t += dt) {
+      const double up = std::cos(tilt) * height / 2 + std::sin(tilt) * arm,
+                   back = std::cos(tilt) * arm - std::sin(tilt) * height / 2,
+                   moment = push * std::min(t / rise, 1.0) * up - weight * back;
+      if (tilt > 0 || moment > 0) rate += dt * moment / inertia;
+      tilt += dt * rate;
+    }
+    return tilt;
+  };
+  const auto tilt = [&](double push, double time_step) {
+    Scene scene = masonry(strength);
+    scene.materials[0].young = 3e10;
+    scene.blocks = {block(rectangle(-20, -1, 40, 1), true), block(rectangle(0, 0, width, height))};
+    scene.loads = {point_load(1, Vec2(width / 2, height / 2), constant({push, 0}))};
+    scene.loads[0].force.rise = rise;
+    scene.analysis.mode = Mode::dynamic;
+    scene.analysis.time_step = time_step;
+    scene.analysis.steps = static_cast<int>(std::lround(end / time_step));
+    const BuiltScene built = run(scene);
+    return -built.stepper->state().rotation[1];
+  };
+  const double most = weight * arm / (height / 2);
+  for (const double time_step : {0.01, 0.002}) {
+    EXPECT_LT(tilt(0.95 * most, time_step), 1e-3) << time_step;
+    EXPECT_NEAR(tilt(1.16 * most, time_step) / by_hand(1.16 * most), 1, 0.1) << time_step;
+  }
+}
+
 TEST(Crushing, OfAWholeJointIsWarnedOf) {
   const auto warnings = [](double strength) {
     Scene scene = wall(strength, 0);
