@@ -3,6 +3,7 @@
 #include <ddacontact/block/block_motion.hpp>
 #include <ddacontact/time/joint_springs.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace ddacontact {
@@ -21,16 +22,25 @@ void account_contact(const StepRule& rule, double dt, const BlockState& from, co
     account_joint_springs(contact, false, energy);
     return;
   }
-  const double by_friction = is_slipping(contact.history.state) ? -contact.shear * slipped : 0;
-  energy.friction_dissipated += by_friction;
-  energy.numerical_dissipated -= contact.shear * contact.slip_change + by_friction;
   // An impulse, that of a dashpot included, changes kinetic energy by p times the mean of the rates before
   // and after.
-  const double before =
-                   contact.motion.change_along(start.by_gap, from.going_on()) * (rule.starts_at_rest ? 0 : 1),
-               exchanged = contact.normal * rule.impulse_time * (dt * before + contact.gap_change) / 2;
-  (exchanged > 0 ? energy.pushed_out : energy.damping_dissipated) += std::abs(exchanged);
-  energy.numerical_dissipated -= contact.normal * contact.gap_change - exchanged;
+  const auto exchanged_by = [&](double force, const VertexEdgeGradient& by, double change) {
+    const double before = rule.starts_at_rest ? 0 : contact.motion.change_along(by, from.going_on());
+    return force * rule.impulse_time * (dt * before + change) / 2;
+  };
+  const double exchanged = exchanged_by(contact.normal, start.by_gap, contact.gap_change);
+  double by_friction = is_slipping(contact.history.state) ? -contact.shear * slipped : 0;
+  // Where blocks meet friction acts in the same impulse: what it gives back there the normal force has taken.
+  double given_back = 0;
+  if (contact.start_state == ContactState::open && exchanged < 0) {
+    const double by_shear = exchanged_by(contact.shear, start.by_slip, contact.slip_change);
+    given_back = std::clamp(by_shear + by_friction, 0.0, -exchanged);
+    by_friction = std::max(by_friction, -by_shear);
+  }
+  energy.friction_dissipated += by_friction;
+  (exchanged > 0 ? energy.pushed_out : energy.damping_dissipated) += std::abs(exchanged) - given_back;
+  energy.numerical_dissipated -= contact.shear * contact.slip_change + by_friction - given_back +
+                                 contact.normal * contact.gap_change - exchanged;
 }
 
 }  // namespace

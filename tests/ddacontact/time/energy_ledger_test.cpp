@@ -173,6 +173,33 @@ Scene rock_at(double time_step, int steps) {
 }  // namespace
 
 /// A dashpot takes no more than a falling block has, however fast it closes within a step.
+/// Blocks thrown on a rough floor without weight: corners that meet it slip back by what turns them, and friction
+/// gives back what the normal force has taken.
+TEST(EnergyLedger, ImpactsWithFrictionMakeNoEnergy) {
+  for (const double friction : {10., 20., 45.})
+    for (int k = 0; k < 12; ++k) {
+      Scene scene = rock_scene(0.01, 4);
+      scene.analysis.gravity = Vec2::Zero();
+      scene.analysis.kinematics = Kinematics::corotational;
+      scene.analysis.scheme = Scheme::decaying;
+      scene.contact.method = ContactMethod::staged;
+      scene.contact.penetration_tolerance = 1e-6;
+      scene.joints[0].friction_angle = friction;
+      Points thrown = turned(rectangle(0, 0, 1, 0.6), radians(7.5 * k + 3));
+      thrown.row(1).array() += 0.05 - thrown.row(1).minCoeff();
+      scene.blocks = {block(rectangle(-20, -1, 40, 1), true), block(thrown)};
+      scene.blocks[1].velocity = Vec2(k % 3 - 1.0, -5);
+      const BuiltScene built = build(scene);
+      const double before = built.stepper->energy().now.kinetic;
+      run(*built.stepper, 4);
+      const Energy& now = built.stepper->energy().now;
+      EXPECT_LT(built.stepper->energy().created(), 1e-3) << friction << ' ' << k;
+      EXPECT_LT(now.kinetic, 0.9 * before) << "it has hit the floor";
+      EXPECT_GE(now.friction_dissipated, 0);
+      EXPECT_GE(now.damping_dissipated, 0);
+    }
+}
+
 TEST(EnergyLedger, ADashpotTakesWhatTheFallGave) {
   for (const Scheme scheme :
        {Scheme::decaying, Scheme::central_difference, Scheme::backward_euler, Scheme::midpoint}) {
