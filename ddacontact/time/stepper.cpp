@@ -212,10 +212,12 @@ Stepper::Trial Stepper::make_trial(double dt) {
 void Stepper::detect(double dt) {
   const polyfem::Stopwatch watch(trial_.times().detection);
   search_margin_ = sleepers_.look_around(dt, margin_scale_);
-  // What holds blocks at rest may be their corners alone: asked when rest begins, and before a stage ends in it.
+  // What holds blocks at rest may be their corners alone: asked when rest begins, and before a stage ends in it,
+  // with as many steps left as count as rest, which comes again in three to six.
   const Equilibrium& last = run_.equilibrium;
-  const bool doubts = last.in_balance() &&
-                      (last.unbalanced_before > largest_unbalanced || progress_.steps + 1 == analysis_.steps);
+  const int left = analysis_.steps - progress_.steps,
+            enough = std::min(Sleeping::enough, (analysis_.steps + 1) / 2);
+  const bool doubts = last.in_balance() && (last.unbalanced_before > largest_unbalanced || left == enough);
   if (begun_)
     trial_.detect(dt, search_margin_, doubts);
   else

@@ -1,3 +1,4 @@
+#include <ddacontact/scene/reader.hpp>
 #include <tests/ddacontact/simple_scenes.hpp>
 
 using namespace support;
@@ -131,6 +132,43 @@ TEST(Rest, AStaticWallOfManyCoursesSlipsEverLess) {
 
 /// An overlap at the start is free of stress: the block neither jumps nor sinks by it. All points and the
 /// lock points' fractions are whole binary numbers: nothing is left to round-off.
+/// A wall of rectangles and two blocks of six corners under 0.31 of its weight sideways, three quarters of what
+/// overturns it: its corners are asked before the stage ends, and it rests again when it does.
+TEST(Rest, AStageEndsInItThoughItsCornersWereAsked) {
+  constexpr const char* wall = R"(
+format = 1
+parameters = { x1 = 0.341403178, x2 = 0.682806356, x3 = 1.024209534, y1 = 0.367777635, y2 = 0.735555270, y3 = 1.103332904, y4 = 1.471110539 }
+analysis = { mode = "static", steps = 25, time_step = 0.01, gravity = [3.09429, -10] }
+material = [{ name = "rock", density = 2000, young = 5e9, poisson = 0.2 }]
+joint = [{ name = "dry", friction_angle = 25.850395 }]
+[[block]]
+material = 0
+vertices = [[-5, -1], [9, -1], [9, 0], [-5, 0]]
+fixed = true
+[[block]]
+material = 0
+vertices = [[0, 0], ["$x1", 0], ["$x1", "$y3"], [0, "$y3"]]
+[[block]]
+material = 0
+vertices = [["$x1", "$y1"], ["$x3", "$y1"], ["$x3", "$y2"], ["$x2", "$y2"], ["$x2", "$y3"], ["$x1", "$y3"]]
+[[block]]
+material = 0
+vertices = [["$x3", "$y4"], ["$x1", "$y4"], ["$x1", "$y3"], ["$x2", "$y3"], ["$x2", "$y2"], ["$x3", "$y2"]]
+[[block]]
+material = 0
+vertices = [["$x1", 0], ["$x3", 0], ["$x3", "$y1"], ["$x1", "$y1"]]
+[[block]]
+material = 0
+vertices = [[0, "$y3"], ["$x1", "$y3"], ["$x1", "$y4"], [0, "$y4"]]
+)";
+  for (const char* steps : {"25", "26", "30", "40", "60"}) {
+    const SceneReading reading =
+        ddacontact::read_scene_text(wall, "wall.toml", {std::string("analysis.steps=") + steps});
+    ASSERT_TRUE(reading.scene) << reading.problems.front().text();
+    EXPECT_TRUE(run(*reading.scene).stepper->is_at_rest()) << steps;
+  }
+}
+
 TEST(Rest, AnInitialOverlapMakesNoForce) {
   Scene scene = resting(BlockModel::wachspress, 0, Mode::dynamic);
   scene.analysis.gravity.setZero();
