@@ -115,7 +115,6 @@ bool ImpulseProblem::solve(const NormalAndShear& rates, double tolerance) {
   for (int rounds_without_gain = 0, round = 0; round < max_rounds; ++round) {
     d.setZero(n_);
     if (problem_.minimize(terms_, w, options, d).status != MinimizeStatus::converged) return false;
-    ++n_rounds_;
     for (ContactTerm& term : terms_) {
       const ContactForce impulse = contact_force(term, d);
       term.normal_multiplier = impulse.normal;

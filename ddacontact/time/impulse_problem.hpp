@@ -41,8 +41,6 @@ class ImpulseProblem {
   /// Largest rate after the last `solve` that should vanish: approach, separation under an impulse, slip
   /// while sticking.
   double largest_rate() const;
-  /// Problems of penalties and Newton iterations so far.
-  int n_rounds() const { return n_rounds_; }
 
  private:
   void set_rates(const NormalAndShear& rates, const VectorXd& w);
@@ -51,7 +49,6 @@ class ImpulseProblem {
   int n_;
   double steepest_ = 0;  ///< the largest coefficient of a rate: an error of w makes so large a one of it
   FrictionProblem problem_;
-  int n_rounds_ = 0;
 };
 
 }  // namespace ddacontact

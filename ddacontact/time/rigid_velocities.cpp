@@ -107,8 +107,6 @@ struct Setting {
     report.friction_loss = -P.col(of_slip).dot(mean.col(of_slip));
     report.support_work = w.dot(driven) - dot(P, driven_rates);
     motions.add_motion(w, report.jump);
-    report.n_contacts = static_cast<int>(P.rows());
-    report.rounds = problem.n_rounds();
   }
 };
 
@@ -180,7 +178,7 @@ Participants find_participants(const BlockSystem& blocks, const std::vector<Impa
 /// Solves with friction, |P_T| <= bound(P_N + given), from impulses of zero. False: friction
 /// and normal impulses do not agree, or rates do not vanish to the tolerance.
 bool solve_with_friction(const NormalAndShear& rates, const Participants& of, const VectorXd& given,
-                         double tolerance, ImpulseProblem& problem, int& solves) {
+                         double tolerance, ImpulseProblem& problem) {
   bool vanish = false;
   const auto solve = [&](const VectorXd& bounds, VectorXd& wanted) {
     problem.set_bounds(bounds);
@@ -189,9 +187,7 @@ bool solve_with_friction(const NormalAndShear& rates, const Participants& of, co
   };
   problem.forget_impulses();
   VectorXd bounds = of.bounds(given);
-  const BoundsReport agreement = iterate_bounds(solve, bounds);
-  solves += agreement.solves;
-  return vanish && agreement.settled;
+  return iterate_bounds(solve, bounds).settled && vanish;
 }
 
 }  // namespace
@@ -215,8 +211,7 @@ JumpReport impact(const BlockSystem& blocks, const std::vector<ImpactContact>& c
   ImpulseProblem& problem = setting.problem;
   const double tolerance = vanishing * of.approach;
   const NormalAndShear none = NormalAndShear::Zero(of.contacts.size(), 2);
-  report.settled =
-      solve_with_friction(setting.rates, of, none.col(of_gap), tolerance, problem, report.solves);
+  report.settled = solve_with_friction(setting.rates, of, none.col(of_gap), tolerance, problem);
   const NormalAndShear compression = problem.impulses();
   if (!report.settled && setting.stop_nothing(compression)) return report;  // left to their deformation
   const double compressed = setting.largest_part(none, compression);
@@ -228,8 +223,7 @@ JumpReport impact(const BlockSystem& blocks, const std::vector<ImpactContact>& c
     NormalAndShear restored = compression;
     restored.col(of_gap) += given;
     const NormalAndShear rates = setting.rates + problem.change_of_rates(problem.change(restored));
-    report.settled =
-        solve_with_friction(rates, of, given, tolerance, problem, report.solves) && report.settled;
+    report.settled = solve_with_friction(rates, of, given, tolerance, problem) && report.settled;
     restored += problem.impulses();
     const double part = setting.largest_part(compression, restored);
     report.limited = part < 1;

@@ -41,9 +41,6 @@ struct JumpReport {
   double normal_loss = 0;
   /// Work of the supports' impulses, J per m: the kinetic energy changes by it less the losses.
   double support_work = 0;
-  int n_contacts = 0;  ///< contacts that took part
-  int solves = 0;      ///< problems with frozen friction bounds
-  int rounds = 0;      ///< of multipliers in all of them
 };
 
 /// The jump of the velocities v when contacts collide: impulses P_N >= 0 that leave no approach, P_N u_N = 0,
