@@ -52,6 +52,7 @@ class DomainReader {
       added.joint = joint_of(set);
       added.region = region_of(set);
       check_spacing(set);
+      check_gap(set);
     }
     for (const VoronoiRecord& cells : record_.voronoi)
       domain_.voronoi.push_back({joint_of(cells), region_of(cells), cells.cells});
@@ -122,6 +123,13 @@ class DomainReader {
                       "this 'origin' is " + rounded(distance) +
                           " m from the domain: where its joints are is lost in round-off",
                       "give a point in the domain or near it");
+  }
+
+  /// Traces without an end have no bridges between them.
+  void check_gap(const JointSetRecord& record) {
+    if (record.set.gap > 0 && record.locations.usable("gap") && !record.locations.written("trace"))
+      problems_.error(record.locations.of("gap"), "'gap' without 'trace': the lines run through",
+                      "write the length of a 'trace', or leave 'gap' out");
   }
 
   template <class Record>

@@ -8,6 +8,7 @@
 #include <map>
 #include <numbers>
 #include <optional>
+#include <set>
 
 namespace ddacontact::scene_format {
 
@@ -172,6 +173,7 @@ class DxfReader {
                   : is_arc    ? std::vector{10, 20, 40, 50, 51}
                               : std::vector<int>{});
     if (is_line) vertices = {{{numbers[10], numbers[20]}, 0}, {{numbers[11], numbers[21]}, 0}};
+    if (is_line && numbers[30] != numbers[31]) ++n_inclined_;
     if (!is_circle && !is_arc) return add(vertices, std::move(line));
     if (!(numbers[40] > 0))
       throw DxfError{start.line, "the radius of the " + start.value + " is not positive", "correct group 40"};
@@ -208,6 +210,7 @@ class DxfReader {
   /// The entities VERTEX behind a POLYLINE.
   std::vector<Vertex> read_vertices() {
     std::vector<Vertex> vertices;
+    std::set<double> heights;
     while (groups_.starts("VERTEX")) {
       const Group start = groups_.now();
       std::map<int, double> numbers;
@@ -216,7 +219,9 @@ class DxfReader {
           numbers[groups_.now().code] = groups_.number();
       expect_groups(numbers, start, {10, 20});
       vertices.push_back({{numbers[10], numbers[20]}, numbers[42]});
+      heights.insert(numbers[30]);
     }
+    if (heights.size() > 1) ++n_inclined_;
     if (groups_.starts("SEQEND")) do
         groups_.next();
       while (!groups_.at_end() && groups_.now().code != 0);
@@ -273,6 +278,10 @@ class DxfReader {
   }
 
   void tell_skipped() {
+    if (n_inclined_ > 0)
+      problems_.warning(location(1),
+                        std::to_string(n_inclined_) + " lines run out of the plane x-y: z is left out",
+                        "is it a section? Project joints measured in space onto it first");
     std::string list;
     for (const auto& [kind, count] : skipped_)
       list += (list.empty() ? "" : ", ") + std::to_string(count) + " " + excerpt(kind);
@@ -286,6 +295,7 @@ class DxfReader {
   ProblemList& problems_;
   Drawing drawing_;
   std::map<std::string, int> skipped_;
+  int n_inclined_ = 0;  ///< lines whose ends have different z
 };
 
 }  // namespace

@@ -101,6 +101,12 @@ constexpr Guess guesses[] = {
 
     {"[water]", " level height head depth surface y ", "write 'table' = [[0, LEVEL]]"},
 
+    {"[[domain.joint_set]]", " dip dip_angle inclination ",
+     "write 'angle': of the traces in the plane of the scene, counter-clockwise from x; for joints that do "
+     "not strike across it that is their apparent dip"},
+    {"[[domain.joint_set]]", " persistence continuity ",
+     "write 'trace' and 'gap': the persistence is trace / (trace + gap)"},
+
     // How a run goes.
     {"[analysis]", " dt timestep step delta_t h ", "write 'time_step' in s"},
     {"[analysis]", " nsteps n_steps num_steps max_steps cycles cycle ", "write 'steps'"},

@@ -5,6 +5,7 @@
 #include <ddacontact/scene/free_sides.hpp>
 #include <ddacontact/scene/key.hpp>
 #include <ddacontact/scene/overlap_check.hpp>
+#include <ddacontact/scene/quake_check.hpp>
 #include <ddacontact/scene/resolve_actions.hpp>
 #include <ddacontact/scene/resolve_blocks.hpp>
 #include <ddacontact/scene/resolve_bolts.hpp>
@@ -17,8 +18,10 @@
 #include <ddacontact/scene/static_check.hpp>
 #include <ddacontact/scene/text.hpp>
 #include <ddacontact/time/run_warnings.hpp>
+#include <polyfem/geometry/area_moments.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace ddacontact::scene_format {
 
@@ -171,6 +174,25 @@ void warn_of_soft_joints(const Document& document, const Scene& scene, ProblemLi
 /// From cork to lead: what blocks are made of, kg/m3.
 constexpr Bounds usual_density{.low = 100, .high = 12000};
 
+/// The same of penalty springs, which bear what two blocks press on each other with.
+void warn_of_soft_springs(const Document& document, const Scene& scene, ProblemList& problems) {
+  constexpr double large_penetration = 0.1;  // over the size of the block
+  if (scene.contact.method != ContactMethod::classic || !document.contact.locations.good("normal_stiffness"))
+    return;
+  double weight = 0, size = 0;
+  for (const BlockDescription& block : scene.blocks) {
+    const double area = std::abs(polyfem::signed_area(block.vertices));
+    weight = std::max(weight, area * scene.materials[block.material].density * scene.analysis.gravity.norm());
+    size = std::max(size, std::sqrt(area));
+  }
+  if (!(weight > large_penetration * size * scene.contact.normal_stiffness)) return;
+  problems.warning(
+      document.contact.locations.of("normal_stiffness"),
+      "blocks sink in by more than a tenth of their size on springs so soft: they may pass through "
+      "others",
+      "is 'normal_stiffness' right? It is in N/m; left out, 40 times the Young's modulus");
+}
+
 /// Warns of densities that no usual material has: as a rule a number meant in another unit.
 void warn_of_unusual_densities(const Document& document, const Scene& scene, ProblemList& problems) {
   const double g = scene.analysis.gravity.norm();
@@ -244,11 +266,13 @@ Scene resolve(const Document& document, ProblemList& problems) {
   warn_of_gravity_upwards(document, problems);
   warn_of_soft_materials(document, scene, problems);
   warn_of_soft_joints(document, scene, problems);
+  warn_of_soft_springs(document, scene, problems);
   warn_of_unusual_densities(document, scene, problems);
   scene.output = document.output.options;
   scene.domain = document.domain_counts;
   scene.snapped = document.snapped;
   if (problems.has_errors()) return scene;
+  warn_of_early_quakes(document, scene, problems);
   warn_of_unused_joints(document, joints.names, scene, problems);
   scene.analysis.steps = scene.n_steps();
   std::vector<bool> may_turn;

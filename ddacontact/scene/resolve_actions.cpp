@@ -87,7 +87,7 @@ void check_motion_of_free_axes(const Support& support, const KeyLocations& locat
       problems.error(
           locations.of(key),
           "'" + std::string(key) + "' moves vertices in " + "xy"[axis] + ", which 'axes' leaves free",
-          std::string("write 0 for ") + "xy"[axis] + ", or axes = \"xy\"");
+          "write 0 for " + std::string(1, "xy"[axis]) + ", or axes = \"xy\"");
       break;
     }
   }

@@ -198,6 +198,16 @@ void bring_bolts(const Document& document, const ResolvedBolts& bolts, const Blo
         stages, [&](const StageDescription& stage) { return std::ranges::count(stage.bolts, bolt) > 0; });
     if (own == stages.end()) {
       if (comes(last) >= 0) stages[comes(last)].bolts.push_back(bolt);
+    } else if (const auto gone = std::ranges::find_if(
+                   held, [&](int block) { return blocks.outlines[block].goes <= own - stages.begin(); });
+               gone != held.end()) {
+      const bool grouted = document.bolts[bolt].bolt.kind == RockBolt::Kind::grouted;
+      const auto complain = grouted ? &ProblemList::warning : &ProblemList::error;
+      (problems.*complain)(document.stages[own - stages.begin()].locations.of("add"),
+                           bolts.names.title(bolt) + " comes in when " + blocks.names.title(*gone) +
+                               ", which it is fixed in, is gone",
+                           grouted ? "its part there is left out: let it begin behind"
+                                   : "end it in a block that is there then, or add it before");
     } else if (own - stages.begin() < comes(last)) {
       problems.error(
           document.stages[own - stages.begin()].locations.of("add"),

@@ -101,12 +101,23 @@ void check_scheme(const Document& document, const Scene& scene, const NameTable&
         "write a stiffness of at most " + rounded((most_shortened - 1) / w) + " s, or scheme = \"decaying\"");
     return true;
   };
-  const auto check_both = [&](const AnalysisOptions& analysis, const KeyLocations& own) {
-    return check(analysis, own) || check_explicit(analysis, own);
+  // Pressures that follow blocks are those of the start of the step there.
+  const auto check_water = [&](const AnalysisOptions& analysis, const KeyLocations& own, const Water& water) {
+    if (analysis.mode != Mode::dynamic || analysis.scheme != Scheme::dda || !water.any()) return false;
+    problems.warning(
+        own.written("scheme") ? own.of("scheme") : document.analysis.locations.of("scheme"),
+        "blocks that float gain energy by scheme \"dda\", whose forces are those of the start of a step",
+        "write scheme = \"decaying\" or \"midpoint\"");
+    return true;
   };
-  if (scene.stages.empty()) check_both(scene.analysis, document.analysis.locations);
-  for (std::size_t s = 0; s < scene.stages.size(); ++s)
-    if (check_both(scene.stages[s].analysis, document.stages[s].locations)) return;
+  const auto check_all = [&](const AnalysisOptions& analysis, const KeyLocations& own, const Water& water) {
+    return check(analysis, own) || check_explicit(analysis, own) || check_water(analysis, own, water);
+  };
+  if (scene.stages.empty()) check_all(scene.analysis, document.analysis.locations, scene.water);
+  for (std::size_t s = 0; s < scene.stages.size(); ++s) {
+    const StageDescription& stage = scene.stages[s];
+    if (check_all(stage.analysis, document.stages[s].locations, stage.water)) return;
+  }
 }
 
 }  // namespace ddacontact::scene_format

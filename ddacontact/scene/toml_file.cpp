@@ -137,7 +137,10 @@ SourceLocation location_of(const toml::key& key, const ProblemList& problems) {
 std::string literal_of(const toml::node& node) {
   if (const auto* text = node.as_string()) return excerpt(text->get());
   if (const auto* number = node.as_integer()) return std::to_string(number->get());
-  if (const auto* number = node.as_floating_point()) return short_number(number->get());
+  if (const auto* number = node.as_floating_point()) {
+    const std::string digits = short_number(number->get());
+    return digits.find_first_of(".en") == std::string::npos ? digits + ".0" : digits;
+  }
   if (const auto* flag = node.as_boolean()) return flag->get() ? "true" : "false";
   return {};
 }

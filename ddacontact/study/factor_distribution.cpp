@@ -85,13 +85,21 @@ FactorDistribution distribution_of(const std::vector<std::string>& low,
       ++found.n_always;
     else if (!low[k].empty())
       ++found.n_never;
+    else
+      ++found.n_unknown;
   }
   std::ranges::sort(found.factors);
   return found;
 }
 
 std::string describe(const FactorDistribution& distribution) {
-  if (distribution.n_cases() == 0) return "no case has a factor of safety\n";
+  const std::string unknown =
+      distribution.n_unknown == 0
+          ? ""
+          : text(
+                "%d cases ended without a factor and count nowhere: see 'status' and 'reason' in sweep.csv\n",
+                distribution.n_unknown);
+  if (distribution.n_cases() == 0) return "no case has a factor of safety\n" + unknown;
   const std::vector<double>& factors = distribution.factors;
   std::string lines;
   if (!factors.empty())
@@ -103,9 +111,11 @@ std::string describe(const FactorDistribution& distribution) {
              histogram(factors);
   if (distribution.n_always > 0) lines += text("%d cases move at every factor\n", distribution.n_always);
   if (distribution.n_never > 0) lines += text("%d cases rest at every factor\n", distribution.n_never);
-  return lines + text("probability of failure (factor below 1): %d of %d cases, %.3g +- %.2g\n",
-                      distribution.n_failing(), distribution.n_cases(), distribution.probability_of_failure(),
-                      distribution.standard_error());
+  return lines +
+         text("probability of failure (factor below 1): %d of %d cases, %.3g +- %.2g\n",
+              distribution.n_failing(), distribution.n_cases(), distribution.probability_of_failure(),
+              distribution.standard_error()) +
+         unknown;
 }
 
 std::string draw(const FactorDistribution& distribution) {

@@ -11,6 +11,7 @@ struct FactorDistribution {
   std::vector<double> factors;  ///< ascending; those that were bracketed
   int n_always = 0;             ///< cases that move at every factor that was tried
   int n_never = 0;              ///< cases that rest at every factor
+  int n_unknown = 0;            ///< beside these: cases that ended without a factor
 
   int n_cases() const { return static_cast<int>(factors.size()) + n_always + n_never; }
   /// Of the factors; the deviation is that of the sample (n - 1), 0 for one factor.
@@ -23,7 +24,7 @@ struct FactorDistribution {
 };
 
 /// The middles of brackets, from two columns of sweep.csv; where one end is empty the case moves, or rests,
-/// at every factor. Cases without both ends are left out.
+/// at every factor, and where both are it ended without one.
 FactorDistribution distribution_of(const std::vector<std::string>& low, const std::vector<std::string>& high);
 
 /// In sentences, with a histogram, for a terminal.

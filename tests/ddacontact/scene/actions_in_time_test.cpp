@@ -51,6 +51,21 @@ TEST_F(ActionsInTime, AFileSaysItsColumnsAndUnits) {
   EXPECT_NEAR((entries[1] - Vec3(0.01, 4.903325, -0.5)).norm(), 0, 1e-15);
 }
 
+TEST_F(ActionsInTime, AQuakeBeforeBlocksCanMoveIsWarnedOf) {
+  const auto said = [&](const char* begin, const char* mode) {
+    const std::string stages = std::string("[[stage]]\nsteps = 20\nmode = \"") + mode +
+                               "\"\n[[stage]]\nsteps = 5\n[[quake]]\nacceleration = [[" + begin +
+                               ", 0, 0], [0.3, 1, 0], [0.4, 0, 0]]\n";
+    return all_text(ddacontact::read_scene_text(std::string(minimal) + stages, "scene.toml",
+                                                {"block.0.fixed=[0]"}, directory())
+                        .problems);
+  };
+  EXPECT_NE(said("0.1", "static").find("warning: the record shakes the ground between t = 0 and 0.2 s"),
+            std::string::npos);
+  EXPECT_EQ(said("0.2", "static"), "");
+  EXPECT_EQ(said("0.1", "dynamic"), "");
+}
+
 TEST_F(ActionsInTime, AQuakeIsScaledAndMayStandInATable) {
   const Scene scene =
       scene_with_more("[[quake]]\nacceleration = [[0, 1, 2], [1, \"0.3 m/s2\", 0]]\nscale = 2\n");

@@ -30,6 +30,14 @@ TEST(BoltTables, AreReadAndWritten) {
   EXPECT_NE(written.str().find("\nbond_strength = 1"), std::string::npos);
 }
 
+TEST(BoltTables, WarnOfWhatIsGoneWhenAGroutedOneComesIn) {
+  const SceneReading reading =
+      read(replaced(grouted, "steps = 3\n[[bolt]]", "steps = 3\nremove = [\"c\"]\nadd = [\"b1\"]\n[[bolt]]"));
+  ASSERT_TRUE(reading.scene);
+  EXPECT_NE(all_text(reading.problems).find("warning: bolt 'b1' comes in when block 'c'"), std::string::npos)
+      << all_text(reading.problems);
+}
+
 TEST(BoltPaths, PassEveryBlockOnceInOrder) {
   Scene scene = scene_of(grouted);
   ddacontact::RockBolt bolt = scene.bolts[0];

@@ -198,6 +198,8 @@ TEST(Domain, BadTablesAreRefusedWithPlaceAndCure) {
   const auto with = [](std::string_view lines) { return std::string(squares) + std::string(lines); };
   expect_problem("[[domain.joint_set]]\nangle = 0\nspacing = 0\n",
                  "scene.toml:25:11: error: 'spacing' = '0' is out of range");
+  expect_problem("[[domain.joint_set]]\nangle = 0\nspacing = 1\ngap = 1\n", "error: 'gap' without 'trace'");
+  expect_problem("[[domain.joint_set]]\nangle = 0\nspacing = 1\ndip = 1\n", "write 'angle': of the traces");
   expect_problem("[[domain.joint_set]]\nangel = 0\nspacing = 1\n",
                  "in [[domain.joint_set]] (write 'angle': a number");
   expect_problem(with("joint = \"beding\"\n"), "");

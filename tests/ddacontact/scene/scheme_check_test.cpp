@@ -35,6 +35,20 @@ TEST(SchemeCheck, IsSilentWhereItIsStable) {
     EXPECT_EQ(said(settings), "");
 }
 
+TEST(SchemeCheck, WarnsOfWaterByTheSchemeThatGainsEnergyInIt) {
+  const auto in_water = [](const char* scheme) {
+    return all_text(read(std::string(minimal) + "[water]\ntable = [[0, 1]]\n", {scheme}).problems);
+  };
+  EXPECT_NE(in_water("analysis.scheme=dda").find("float gain energy"), std::string::npos);
+  EXPECT_EQ(in_water("analysis.scheme=decaying").find("float gain energy"), std::string::npos);
+}
+
+TEST(SchemeCheck, WarnsOfSpringsThatBlocksSinkInto) {
+  EXPECT_NE(said({"contact.method=classic", "contact.normal_stiffness=10"}).find("sink in by more than"),
+            std::string::npos);
+  EXPECT_EQ(said({"contact.method=classic", "contact.normal_stiffness=1e9"}), "");
+}
+
 /// The block's critical step is about 2.6e-4 s: a damping stiffness of 1.3e-3 s makes it ten times shorter.
 TEST(SchemeCheck, RefusesDampingThatLeavesNoExplicitStep) {
   const std::vector<std::string> settings{"material.rock.young=1e10", "analysis.scheme=explicit"};
