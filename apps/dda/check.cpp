@@ -18,16 +18,16 @@ int check_one(const std::string& path, const std::vector<std::string>& settings)
   const int status = report(reading);
   if (!reading.scene) return status;
   if (const auto problem = memory_problem(*reading.scene)) {
-    fmt::print(stderr, "{}:1:1: error: {}\n", path, *problem);
+    say("{}:1:1: error: {}\n", path, *problem);
     return wrong_input;
   }
   try {
     const ddacontact::BuiltScene built = ddacontact::build(*reading.scene);
-    for (const std::string& note : built.notes) fmt::print(stderr, "{}: note: {}\n", path, note);
+    for (const std::string& note : built.notes) say("{}: note: {}\n", path, note);
     fmt::print("{}: {} blocks, {} unknowns, {} steps: ok\n", path, reading.scene->blocks.size(),
                built.stepper->blocks().n_equations(), reading.scene->n_steps());
   } catch (const ddacontact::Error& error) {
-    fmt::print(stderr, "{}:1:1: error: {}\n", path, error.what());
+    say("{}:1:1: error: {}\n", path, error.what());
     return wrong_input;
   }
   return status;

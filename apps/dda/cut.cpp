@@ -20,24 +20,20 @@ std::string counted(int n, const char* one, const char* many) {
 void tell(const CutArguments& arguments, const ddacontact::Scene& before, const ddacontact::Scene& after,
           const ddacontact::CutCounts& counts) {
   if (before.snapped)
-    fmt::print(stderr, "{}: {} moved, by {:.3g} m at most\n", arguments.blocks,
-               counted(before.snapped->moved, "vertex", "vertices"), before.snapped->farthest);
-  fmt::print(stderr, "{}: {} to {}: {} split, {} taken out, {} dropped\n", arguments.blocks,
-             counted(static_cast<int>(before.blocks.size()), "block", "blocks"), after.blocks.size(),
-             counts.split, counted(counts.short_edges, "short edge", "short edges"),
-             counted(counts.straight_vertices, "straight vertex", "straight vertices"));
+    say("{}: {} moved, by {:.3g} m at most\n", arguments.blocks,
+        counted(before.snapped->moved, "vertex", "vertices"), before.snapped->farthest);
+  say("{}: {} to {}: {} split, {} taken out, {} dropped\n", arguments.blocks,
+      counted(static_cast<int>(before.blocks.size()), "block", "blocks"), after.blocks.size(), counts.split,
+      counted(counts.short_edges, "short edge", "short edges"),
+      counted(counts.straight_vertices, "straight vertex", "straight vertices"));
   if (counts.lost_holds > 0)
-    fmt::print(stderr, "{}: warning: {} in lists 'fixed' went with the cut\n", arguments.blocks,
-               counted(counts.lost_holds, "vertex", "vertices"));
+    say("{}: warning: {} in lists 'fixed' went with the cut\n", arguments.blocks,
+        counted(counts.lost_holds, "vertex", "vertices"));
   if (counts.mixed_edges > 0)
-    fmt::print(
-        stderr,
-        "{}: warning: {} on edges of different joints: each follows the joint of the greatest length\n",
+    say("{}: warning: {} on edges of different joints: each follows the joint of the greatest length\n",
         arguments.blocks, counted(counts.mixed_edges, "new edge lies", "new edges lie"));
   if (!before.supports.empty() || !before.loads.empty() || !before.monitors.empty())
-    fmt::print(
-        stderr,
-        "{}: warning: supports, loads and monitors count vertices and edges as they were: they are left "
+    say("{}: warning: supports, loads and monitors count vertices and edges as they were: they are left "
         "out\n",
         arguments.blocks);
 }

@@ -35,11 +35,14 @@ int info(const std::string& name) {
   try {
     const fs::path directory(name);
     expect_result_directory(directory);
-    if (!fs::exists(directory / "summary.json"))
+    if (!fs::exists(directory / "summary.json")) {
+      const fs::path checkpoint = directory / "checkpoint.bin";
       throw Error(fmt::format(
-          "\"{}\" has no summary.json yet: its run is still going on, or was killed (go on with --resume "
-          "{}/checkpoint.bin, or run the scene again)",
-          directory.string(), directory.string()));
+          "\"{}\" has no summary.json yet: its run is still going on, or was killed ({}run "
+          "the scene again)",
+          directory.string(),
+          fs::exists(checkpoint) ? fmt::format("go on with --resume {}, or ", checkpoint.string()) : ""));
+    }
     const SummaryTable summary = read_summary(directory / "summary.json");
     const std::optional<Scene> scene = scene_of(directory);
     Answer answer;

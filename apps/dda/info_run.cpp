@@ -149,7 +149,7 @@ double sum_of(const std::vector<EnergyPart>& parts) {
 void tell_energy(Answer& answer, const SummaryTable& summary) {
   answer.topic("energy");
   const auto number = [&](const char* key) {
-    return summary.number(std::string("energy.") + key).value_or(0);
+    return summary.number(fmt::format("energy.{}", key)).value_or(0);
   };
   if (!summary.number("energy.kinetic")) return;
   std::vector<EnergyPart> came, went;
@@ -182,7 +182,7 @@ void tell_step_times(Answer& answer, const SummaryTable& summary) {
   const auto phases = [&](const std::vector<const char*>& names) {
     std::string text;
     for (const char* name : names)
-      if (const auto spent = summary.number(std::string("wall_seconds.") + name))
+      if (const auto spent = summary.number(fmt::format("wall_seconds.{}", name)))
         text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name,
                             quantity_text(*spent / steps / *blocks, "s", 2));
     return text;
@@ -208,7 +208,7 @@ void tell_times(Answer& answer, const SummaryTable& summary) {
   answer.line(text);
   text.clear();
   for (const char* part : {"setup", "detection", "assembly", "solver", "update", "output"})
-    if (const auto seconds = summary.number(std::string("wall_seconds.") + part); seconds && *total > 0)
+    if (const auto seconds = summary.number(fmt::format("wall_seconds.{}", part)); seconds && *total > 0)
       text += fmt::format("{}{} {:.0f} %", text.empty() ? "" : ", ", part, 100 * *seconds / *total);
   if (!text.empty()) answer.line(text);
   tell_step_times(answer, summary);

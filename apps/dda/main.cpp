@@ -53,11 +53,12 @@ int execute(const CLI::App& app, Call& call) {
   if (app.got_subcommand("cut")) return dda::cut(call.cut);
   if (app.got_subcommand("plot")) return dda::plot(call.plot);
   if (app.got_subcommand("view")) return dda::view(call.view);
-  if (app.got_subcommand("safety")) return dda::safety(call.safety);
-  if (app.got_subcommand("sweep")) return dda::sweep(call.sweep);
   if (app.got_subcommand("info")) return dda::info(call.info);
   if (app.got_subcommand("help")) return dda::help(app, call.help_words);
   if (app.got_subcommand("schema")) return dda::schema();
+  std::signal(SIGPIPE, SIG_IGN);  // what takes long is not lost with who reads along
+  if (app.got_subcommand("safety")) return dda::safety(call.safety);
+  if (app.got_subcommand("sweep")) return dda::sweep(call.sweep);
   if (call.steps > 0) call.run.steps = call.steps;
   return dda::run(call.run);
 }

@@ -7,7 +7,7 @@
 namespace dda {
 
 void print_error(const std::string& text) {
-  fmt::print(stderr, "dda: error: {}\n", text);
+  say("dda: error: {}\n", text);
 }
 
 void tell_of_older(const std::string& file, const std::optional<std::filesystem::path>& kept) {
@@ -15,7 +15,7 @@ void tell_of_older(const std::string& file, const std::optional<std::filesystem:
 }
 
 int report(const ddacontact::SceneReading& reading) {
-  for (const ddacontact::Problem& problem : reading.problems) fmt::print(stderr, "{}\n", problem.text());
+  for (const ddacontact::Problem& problem : reading.problems) say("{}\n", problem.text());
   if (reading.unreadable) return file_error;
   return reading.scene ? done : wrong_input;
 }

@@ -1,13 +1,22 @@
 /// \file What the program tells on stderr.
 #pragma once
 
+#include <fmt/format.h>
 #include <ddacontact/scene/reader.hpp>
 
+#include <cstdio>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace dda {
+
+/// Writes to stderr. Where that cannot be written the text is lost and nothing else: results count more.
+template <class... T>
+void say(fmt::format_string<T...> format, T&&... values) {
+  std::fputs(fmt::format(format, std::forward<T>(values)...).c_str(), stderr);
+}
 
 /// `dda: error: TEXT`
 void print_error(const std::string& text);

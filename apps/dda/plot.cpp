@@ -70,6 +70,9 @@ std::vector<Shown> read_frames(const PlotArguments& arguments) {
     const std::vector<std::string> names =
         arguments.names ? block_names(directory) : std::vector<std::string>();
     const std::optional<Scene> scene = scene_of(directory);
+    if (!scene)
+      say("dda: warning: \"{}\" cannot be read: a water table is missing in the picture\n",
+          (directory / "scene.toml").string());
     for (const std::string& word : words) {
       Frame frame = read_frame(frame_of(series, word, directory));
       if (arguments.magnify != 1) expect_field(frame, Field::displacement, directory);

@@ -1,6 +1,7 @@
 #include "progress.hpp"
 
-#include <fmt/format.h>
+#include "messages.hpp"
+
 #include <unistd.h>
 
 #include <algorithm>
@@ -28,13 +29,13 @@ void Progress::show(const ddacontact::Stepper& stepper) {
   const double elapsed = std::chrono::duration<double>(now - start_).count();
   const double left =
       elapsed / static_cast<double>(counts.steps) * static_cast<double>(steps_ - counts.steps);
-  fmt::print(stderr, "{}step {}/{}  time {:.6g} s  dt {:.3g} s  iterations {}  contacts {}  left {:.0f} s{}",
-             terminal_ ? "\r" : "", counts.steps, steps_, stepper.state().time, stepper.last_dt(), iterations,
-             counts.contacts, left, terminal_ ? "\033[K" : "\n");
+  say("{}step {}/{}  time {:.6g} s  dt {:.3g} s  iterations {}  contacts {}  left {:.0f} s{}",
+      terminal_ ? "\r" : "", counts.steps, steps_, stepper.state().time, stepper.last_dt(), iterations,
+      counts.contacts, left, terminal_ ? "\033[K" : "\n");
 }
 
 void Progress::finish() const {
-  if (!quiet_ && terminal_) fmt::print(stderr, "\n");
+  if (!quiet_ && terminal_) say("\n");
 }
 
 }  // namespace dda

@@ -153,17 +153,17 @@ int finish(const RunArguments& arguments, const Stepper& stepper, const RunSumma
   if (!summary.reason.empty()) log.info("reason: {}", summary.reason);
   for (const std::string& note : stepper.notes()) {
     log.warn("{}", note);
-    if (!arguments.quiet) fmt::print(stderr, "{}: note: {}\n", arguments.scene, note);
+    if (!arguments.quiet) say("{}: note: {}\n", arguments.scene, note);
   }
   if (counts.unconverged > 0) {
     const std::string warning = fmt::format("{} of {} substeps were accepted unsettled: {}",
                                             counts.unconverged, counts.substeps, stepper.last_unsettled());
     log.warn("{}", warning);
-    fmt::print(stderr, "{}: warning: {}\n", arguments.scene, warning);
+    say("{}: warning: {}\n", arguments.scene, warning);
   }
   for (const std::string& warning : summary.warnings) {
     log.warn("{}", warning);
-    fmt::print(stderr, "{}: warning: {}\n", arguments.scene, warning);
+    say("{}: warning: {}\n", arguments.scene, warning);
   }
   log.flush();
   if (!arguments.quiet) fmt::print("{}\nresults in {}\n", outcome, output.directory.string());
@@ -207,15 +207,16 @@ void keep_older(const RunArguments& arguments, const std::filesystem::path& dire
     const bool goes_on = !std::filesystem::exists(beside / "energy.csv", missing) || is_beside;
     if (goes_on && !arguments.as_stage) return;
   }
-  if (holds_results(directory))
+  if (holds_results(directory)) {
     expect_none_in(directory, files);
-  else
+  } else {
     expect_none_overwritten(directory, files);
+    expect_no_others_files(directory);
+  }
   const auto kept = keep_older_results(directory);
   if (!kept) return;
   if (is_beside) checkpoint = (*kept / std::filesystem::path(checkpoint).filename()).string();
-  if (!arguments.quiet)
-    fmt::print(stderr, "{}: note: older results are in {} now\n", arguments.scene, kept->string());
+  if (!arguments.quiet) say("{}: note: older results are in {} now\n", arguments.scene, kept->string());
 }
 
 /// A new result directory, or one that goes on with the histories beside a checkpoint, or with its own where
@@ -251,7 +252,7 @@ std::optional<Checkpoint> checkpoint_of(const RunArguments& arguments, Scene& sc
     problem = find_mismatch(from, arguments.checkpoint, scene, arguments.scene);
   }
   if (!problem) return from;
-  fmt::print(stderr, "{}\n", problem->text());
+  say("{}\n", problem->text());
   return std::nullopt;
 }
 
@@ -294,7 +295,7 @@ RunOutput open_output(const RunArguments& arguments, const Scene& scene, BuiltSc
   }
   for (const std::string& note : built.notes) {
     log.warn("{}", note);
-    if (!arguments.quiet) fmt::print(stderr, "{}: note: {}\n", arguments.scene, note);
+    if (!arguments.quiet) say("{}: note: {}\n", arguments.scene, note);
   }
   log.flush();
   return output;
@@ -341,7 +342,7 @@ int run(const RunArguments& arguments) {
   SceneReading reading = read_scene(arguments.scene, arguments.settings, arguments.as_stage);
   if (const int status = report(reading); !reading.scene) return status;
   if (const auto problem = memory_problem(*reading.scene)) {
-    fmt::print(stderr, "{}:1:1: error: {}\n", arguments.scene, *problem);
+    say("{}:1:1: error: {}\n", arguments.scene, *problem);
     return wrong_input;
   }
   try {
@@ -358,7 +359,7 @@ int run(const RunArguments& arguments) {
         reading.scene->blocks.size(), error.what(), peak_memory_mb()));
     return file_error;
   } catch (const Error& error) {
-    fmt::print(stderr, "{}:1:1: error: {}\n", arguments.scene, error.what());
+    say("{}:1:1: error: {}\n", arguments.scene, error.what());
     return wrong_input;
   }
 }

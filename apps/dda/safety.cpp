@@ -76,9 +76,7 @@ void warn_of_brittle_joints(const Scene& scene, const std::vector<int>& joints, 
     if (const Joint& joint = scene.stages.back().joints[j];
         joint.residual_friction_angle &&
         (bonds_of(scene, {j}) == "brittle" || *joint.residual_friction_angle < joint.friction_angle))
-      fmt::print(
-          stderr,
-          "{}: warning: joint \"{}\" has a residual friction angle and loses its peak strength where it "
+      say("{}: warning: joint \"{}\" has a residual friction angle and loses its peak strength where it "
           "slips, and so fails from its ends: limit equilibrium, where all of the peak strength acts at "
           "once, gives a larger factor\n",
           file, name_of(scene, j));
@@ -90,9 +88,7 @@ void warn_of_vibrations(const Scene& scene, const std::string& file) {
   const bool keeps_them = last.scheme == Scheme::midpoint || last.scheme == Scheme::central_difference ||
                           (last.scheme == Scheme::newmark && last.gamma == 0.5);
   if (last.mode == Mode::dynamic && keeps_them && last.damping.stiffness == 0)
-    fmt::print(
-        stderr,
-        "{}: warning: the scheme of the last stage keeps vibrations, under which blocks slip below "
+    say("{}: warning: the scheme of the last stage keeps vibrations, under which blocks slip below "
         "their limit: the factor may be much too low (scheme = \"decaying\", or damping = {{ stiffness "
         "= 1e-3 }})\n",
         file);
@@ -102,18 +98,16 @@ void warn_of_vibrations(const Scene& scene, const std::string& file) {
 void warn_of_glue(const Scene& scene, const std::vector<int>& joints, const std::string& file) {
   for (const int j : joints)
     if (scene.stages.back().joints[j].glued)
-      fmt::print(stderr,
-                 "{}: warning: joint \"{}\" is glued in the last stage, where its strength does not count "
-                 "(glue the stage before it)\n",
-                 file, name_of(scene, j));
+      say("{}: warning: joint \"{}\" is glued in the last stage, where its strength does not count "
+          "(glue the stage before it)\n",
+          file, name_of(scene, j));
 }
 
 void tell(const StrengthTrial& trial, const Scene& scene) {
-  fmt::print(stderr, "F = {:.5g}: {} after {} steps: {}{}\n", trial.factor, word_of(trial.verdict),
-             trial.steps, trial.reason,
-             trial.first_block < 0
-                 ? ""
-                 : fmt::format("; \"{}\" went furthest", scene.block_name(trial.first_block)));
+  say("F = {:.5g}: {} after {} steps: {}{}\n", trial.factor, word_of(trial.verdict), trial.steps,
+      trial.reason,
+      trial.first_block < 0 ? ""
+                            : fmt::format("; \"{}\" went furthest", scene.block_name(trial.first_block)));
 }
 
 /// What moves first, and how much that is.
@@ -138,27 +132,22 @@ void warn_of_sharp_corners(const RoundedTrial& rounded, const std::string& file)
       fmt::format("{}: warning: with corners rounded by {:.2g} of a block's size ", file, rounded.rounding);
   const long broken = rounded.trial.broken_bonds;
   if (rounded.trial.verdict == Verdict::moves && broken > 0)
-    fmt::print(stderr,
-               "{}blocks move at F = {:.4g} already, after {} bonds broke: rounded corners break them too "
-               "early, or sharp ones interlock at steps that rock would not have\n",
-               trial, rounded.trial.factor, broken);
+    say("{}blocks move at F = {:.4g} already, after {} bonds broke: rounded corners break them too "
+        "early, or sharp ones interlock at steps that rock would not have\n",
+        trial, rounded.trial.factor, broken);
   else if (rounded.trial.verdict == Verdict::moves)
-    fmt::print(stderr,
-               "{}blocks move at F = {:.4g} already: sharp corners interlock at steps that rock would not "
-               "have (contact = {{ corner_rounding = {:.2g} }})\n",
-               trial, rounded.trial.factor, rounded.rounding);
+    say("{}blocks move at F = {:.4g} already: sharp corners interlock at steps that rock would not "
+        "have (contact = {{ corner_rounding = {:.2g} }})\n",
+        trial, rounded.trial.factor, rounded.rounding);
   if (rounded.trial.verdict == Verdict::stopped)
-    fmt::print(stderr,
-               "{}nothing is known: {} (sharp corners may interlock at steps that rock would not have)\n",
-               trial, rounded.trial.reason);
+    say("{}nothing is known: {} (sharp corners may interlock at steps that rock would not have)\n", trial,
+        rounded.trial.reason);
 }
 
 /// A factor that only blocks that swell have.
 void warn_of_swelling(const StrengthTrial& trial, const std::string& file) {
   if (trial.verdict != Verdict::moves) return;
-  fmt::print(
-      stderr,
-      "{}: warning: with poisson = 0 blocks move at F = {:.4g} already: blocks without a mesh that swell "
+  say("{}: warning: with poisson = 0 blocks move at F = {:.4g} already: blocks without a mesh that swell "
       "sideways may be held by friction on faces beside them (compare block_model = \"mesh\")\n",
       file, trial.factor);
 }
@@ -195,7 +184,7 @@ void keep_older(const SafetyArguments& arguments) {
   DirectoryLock::expect_free(arguments.directory);
   if (arguments.force) return;
   if (const auto kept = keep_older_results(arguments.directory); kept && !arguments.quiet)
-    fmt::print(stderr, "{}: note: older results are in {} now\n", arguments.scene, kept->string());
+    say("{}: note: older results are in {} now\n", arguments.scene, kept->string());
 }
 
 /// The settled scene. Where it does not settle the results say so before this throws SettlingStopped: older
@@ -220,11 +209,10 @@ int search(const SafetyArguments& arguments, const Scene& scene) {
     expect_none_in(arguments.directory, files_of_scene(arguments.scene, arguments.settings));
   polyfem::pin_blas_to_one_thread();
   const StrengthReduction reduction = settled(arguments, scene, joints);
-  for (const std::string& note : reduction.notes())
-    fmt::print(stderr, "{}: note: {}\n", arguments.scene, note);
+  for (const std::string& note : reduction.notes()) say("{}: note: {}\n", arguments.scene, note);
   if (!reduction.unsettled().empty())
-    fmt::print(stderr, "{}: warning: {} when the trials start: more 'steps' before the last stage\n",
-               arguments.scene, reduction.unsettled());
+    say("{}: warning: {} when the trials start: more 'steps' before the last stage\n", arguments.scene,
+        reduction.unsettled());
   warn_of_brittle_joints(reduction.scene(), joints, arguments.scene);
   warn_of_vibrations(reduction.scene(), arguments.scene);
   warn_of_glue(reduction.scene(), joints, arguments.scene);
@@ -245,10 +233,9 @@ int search(const SafetyArguments& arguments, const Scene& scene) {
         if (!arguments.quiet) tell(trial, scene);
       });
   if (const std::string& pulled = pulled_bonds[bracket.low]; !pulled.empty())
-    fmt::print(stderr,
-               "{}: warning: at F = {:.4g} {}: limit equilibrium gives a smaller factor (compare one without "
-               "'tensile_strength')\n",
-               arguments.scene, bracket.low, pulled);
+    say("{}: warning: at F = {:.4g} {}: limit equilibrium gives a smaller factor (compare one without "
+        "'tensile_strength')\n",
+        arguments.scene, bracket.low, pulled);
   VariantTrials variants;
   if (!bracket.stopped && bracket.low > 0)
     variants = {try_with_rounded_corners(scene, joints, bracket.low),
@@ -311,7 +298,7 @@ int safety(const SafetyArguments& arguments) {
   const SceneReading reading = read_scene(arguments.scene, arguments.settings);
   if (const int status = report(reading); !reading.scene) return status;
   if (const auto problem = memory_problem(*reading.scene)) {
-    fmt::print(stderr, "{}:1:1: error: {}\n", arguments.scene, *problem);
+    say("{}:1:1: error: {}\n", arguments.scene, *problem);
     return wrong_input;
   }
   try {
@@ -326,7 +313,7 @@ int safety(const SafetyArguments& arguments) {
     print_error(error.what());
     return analysis_stopped;
   } catch (const Error& error) {
-    fmt::print(stderr, "{}:1:1: error: {}\n", arguments.scene, error.what());
+    say("{}:1:1: error: {}\n", arguments.scene, error.what());
     return wrong_input;
   }
 }

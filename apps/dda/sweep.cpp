@@ -105,7 +105,7 @@ class Sweep {
     std::vector<int> waiting;
     for (int k = 1; k <= n_cases(); ++k)
       if ((arguments_.only == 0 || arguments_.only == k) && !is_finished(k)) waiting.push_back(k);
-    if (!arguments_.quiet) fmt::print(stderr, "{} of {} cases to run\n", waiting.size(), n_cases());
+    if (!arguments_.quiet) say("{} of {} cases to run\n", waiting.size(), n_cases());
     std::map<pid_t, int> running;
     const auto wait_one = [&] {
       int status = 0;
@@ -158,15 +158,15 @@ class Sweep {
     }
     csv.close();
     if (const auto kept = keep_older_file(table, text_of(fresh)); kept && !arguments_.quiet)
-      fmt::print(stderr, "dda: note: the older sweep.csv is {} now\n", kept->string());
+      say("dda: note: the older sweep.csv is {} now\n", kept->string());
     fs::rename(fresh, table);
     if (n_warned > 0)
-      fmt::print(stderr, "dda: warning: {} of {} cases warn of their results, the first in {}\n", n_warned,
-                 n_cases(), log_of(first_warned).string());
+      say("dda: warning: {} of {} cases warn of their results, the first in {}\n", n_warned, n_cases(),
+          log_of(first_warned).string());
     for (std::size_t i = 0; i < known.size(); ++i)
       if (any && !known[i])
-        fmt::print(stderr, "dda: warning: outcome \"{}\" is empty: no result has \"{}\"\n", outcomes_[i].name,
-                   outcomes_[i].path);
+        say("dda: warning: outcome \"{}\" is empty: no result has \"{}\"\n", outcomes_[i].name,
+            outcomes_[i].path);
     return any;
   }
 
@@ -291,8 +291,7 @@ class Sweep {
   void tell(int k) const {
     const CaseResult result = read_case(path_of(k), {}, log_of(k));
     if (arguments_.quiet && result.status != "failed") return;
-    fmt::print(stderr, "case {}: {}{}{}\n", k, result.status, result.reason.empty() ? "" : ": ",
-               result.reason);
+    say("case {}: {}{}{}\n", k, result.status, result.reason.empty() ? "" : ": ", result.reason);
   }
 
   const SweepArguments& arguments_;
@@ -316,10 +315,9 @@ void tell_factors(const fs::path& directory, bool quiet) {
   if (!found.factors.empty()) write(directory / "factors.svg", draw(found));
   if (!quiet) fmt::print("{}", describe(found));
   if (const auto n = std::ranges::count(table.texts("rounded_corners"), word_of(Verdict::moves)); n > 0)
-    fmt::print(stderr,
-               "dda: warning: in {} of these cases rounded corners move at 95 % of the factor: sharp ones "
-               "interlock at steps that rock would not have (--set contact.corner_rounding=0.003)\n",
-               n);
+    say("dda: warning: in {} of these cases rounded corners move at 95 % of the factor: sharp ones "
+        "interlock at steps that rock would not have (--set contact.corner_rounding=0.003)\n",
+        n);
 }
 
 int sweep_all(const SweepArguments& arguments) {

@@ -107,7 +107,10 @@ Remarks run_to_end(const Scene& scene, const std::string& directory, int threads
   summary.domain = scene.domain;
   summary.versions = {{"program", POLYDDA_VERSION}, {"blas", blas}, {"compiler", __VERSION__}};
   DirectoryLock::expect_free(directory);
-  if (!force) keep_older_results(directory);
+  if (!force) {
+    expect_no_others_files(directory);
+    keep_older_results(directory);
+  }
   ResultDirectory results(directory, built.labels, dda::frame_options(scene, threads));
   const DirectoryLock lock(directory);
   dda::Checkpoints checkpoints(scene, directory, scene.output.checkpoint_every,

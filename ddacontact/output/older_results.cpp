@@ -28,13 +28,14 @@ fs::path with_number(const std::string& name, const std::string& ending) {
   return path;
 }
 
+constexpr std::array result_files{"scene.toml",   "log.txt",          "energy.csv",   "monitors.csv",
+                                  "blocks.csv",   "vertices.csv",     "contacts.csv", "bolts.csv",
+                                  "supports.csv", "bolt_history.csv", "summary.json", "support_history.csv"};
+
 }  // namespace
 
 bool is_result_file(const std::string& name) {
-  static const std::array<const char*, 12> names{
-      "scene.toml",   "log.txt",   "energy.csv",       "monitors.csv", "blocks.csv",   "vertices.csv",
-      "contacts.csv", "bolts.csv", "bolt_history.csv", "supports.csv", "summary.json", "support_history.csv"};
-  return std::ranges::find(names, name) != names.end();
+  return std::ranges::find(result_files, name) != result_files.end();
 }
 
 bool holds_results(const fs::path& directory) {
@@ -42,6 +43,16 @@ bool holds_results(const fs::path& directory) {
                                          "sweep.csv"};
   std::error_code missing;
   return std::ranges::any_of(files, [&](const char* file) { return fs::exists(directory / file, missing); });
+}
+
+void expect_no_others_files(const fs::path& directory) {
+  std::error_code missing;
+  if (holds_results(directory)) return;
+  for (const char* file : result_files)
+    if (fs::exists(directory / file, missing))
+      throw OutputError(
+          "\"" + (directory / file).string() +
+          "\" is of no run and would be overwritten (name another directory; force overwrites it)");
 }
 
 DirectoryLock::DirectoryLock(const fs::path& directory)

@@ -31,6 +31,9 @@ bool is_result_file(const std::string& name);
 /// Whether a run, a search or a sweep has written to it.
 bool holds_results(const std::filesystem::path& directory);
 
+/// Throws OutputError where no run has written to a directory, and yet a file is there that one would write.
+void expect_no_others_files(const std::filesystem::path& directory);
+
 /// Renames a directory that holds results to DIRECTORY.1, or the first number that is free, and
 /// returns the new name; nothing where there are no results. Throws OutputError when it cannot be renamed or
 /// another run writes to it.

@@ -109,7 +109,7 @@ TEST_F(OlderResults, AreNotWrittenOverTheScene) {
     EXPECT_NE(err_.find("would be written over \"own/scene.toml\""), std::string::npos) << err_;
     EXPECT_EQ(read_file(directory_ / "own/scene.toml"), scene);
   }
-  write("own/slide.toml", scene);
+  fs::rename(directory_ / "own/scene.toml", directory_ / "own/slide.toml");
   EXPECT_EQ(dda("run own/slide.toml -o own --quiet --steps 1"), 0) << "another name is no result's: " << err_;
 }
 
@@ -183,6 +183,25 @@ TEST_F(OlderResults, OfAFullDiskAreToldWithTheReason) {
   for (const std::string answer : {"schema", "--version", "--help"}) {
     EXPECT_EQ(dda(answer + " > /dev/full 2> problem; exit $?; true"), 4) << answer;
     EXPECT_NE(read_file(directory_ / "problem").find("No space left on device"), std::string::npos) << answer;
+  }
+}
+
+TEST_F(OlderResults, OfOthersAreNotOverwritten) {
+  fs::create_directory(directory_ / "mine");
+  write("mine/blocks.csv", "of a survey");
+  const std::string call = "run '" POLYDDA_EXAMPLES "/paper/sliding_0.toml' --steps 2 --quiet -o mine";
+  EXPECT_EQ(dda(call), 4);
+  EXPECT_NE(err_.find("blocks.csv\" is of no run"), std::string::npos) << err_;
+  EXPECT_EQ(read_file(directory_ / "mine/blocks.csv"), "of a survey");
+  EXPECT_EQ(dda(call + " --force"), 0) << err_;
+}
+
+TEST_F(OlderResults, AreNotLostWithWhatCannotBeTold) {
+  for (const std::string lost : {"/dev/full", "&-"}) {
+    const std::string call = "run '" POLYDDA_EXAMPLES "/paper/sliding_0.toml' --steps 2 --force -o told 2>";
+    EXPECT_EQ(dda(call + lost + "; exit $?; true"), 0) << lost;
+    EXPECT_EQ(steps_of("told"), 2);
+    EXPECT_EQ(dda("run none.toml 2>" + lost + "; exit $?; true"), 4) << lost;
   }
 }
 
