@@ -17,7 +17,9 @@
 #include "thread_waiting.hpp"
 #include "view.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 #include <CLI/CLI.hpp>
 
 #include <cerrno>
@@ -145,7 +147,14 @@ int parse_and_execute(int argc, char** argv) {
 
 }  // namespace
 
+/// Files must not be opened as a standard stream that is closed: what is told would go into them.
+void keep_standard_streams() {
+  for (int stream = STDIN_FILENO; stream <= STDERR_FILENO; ++stream)
+    if (fcntl(stream, F_GETFD) < 0) open("/dev/null", stream == STDIN_FILENO ? O_RDONLY : O_WRONLY);
+}
+
 int main(int argc, char** argv) {
+  keep_standard_streams();
   dda::keep_freed_memory();
   std::signal(SIGXFSZ, SIG_IGN);  // beyond a limit on the size of files writing fails, as on a full disk
   try {

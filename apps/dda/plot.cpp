@@ -71,7 +71,7 @@ std::vector<Shown> read_frames(const PlotArguments& arguments) {
         arguments.names ? block_names(directory) : std::vector<std::string>();
     const std::optional<Scene> scene = scene_of(directory);
     if (!scene)
-      say("dda: warning: \"{}\" cannot be read: a water table is missing in the picture\n",
+      say("dda: warning: \"{}\" cannot be read: water, if there was any, is not drawn\n",
           (directory / "scene.toml").string());
     for (const std::string& word : words) {
       Frame frame = read_frame(frame_of(series, word, directory));

@@ -77,12 +77,6 @@ struct Restraint {
     std::erase_if(disagreements, [&](const Disagreement& of) { return of.force < part * largest; });
   }
 
-  /// Nothing was gained for so long that cutting the step is cheaper.
-  bool is_hopeless() const { return passes_without_gain == patience * patience; }
-  /// Bonds that come and go within a step may leave no state that agrees: a bonded contact carries shear at
-  /// no normal force, an open one does not.
-  bool breaks_bonds() const { return passes_without_gain >= 2; }
-
   static constexpr int patience = 6;
   std::size_t fewest = std::numeric_limits<std::size_t>::max();
   int passes_without_gain = 0;
@@ -205,8 +199,11 @@ struct OpenClose {
     if (disagreements.empty()) return true;
     report.disagreeing = static_cast<int>((any ? *opening : disagreements.front()).contact);
     restraint.apply(disagreements);
-    if (restraint.is_hopeless()) return false;
-    change_states(disagreements, restraint.breaks_bonds(), contacts);
+    // Nothing was gained for so long that cutting the step is cheaper.
+    if (restraint.passes_without_gain == restraint.patience * restraint.patience) return false;
+    // Bonds that come and go within a step may leave no state that agrees: a bonded contact carries shear at
+    // no normal force, an open one does not.
+    change_states(disagreements, restraint.passes_without_gain >= 2, contacts);
     acceleration.reset();
     compute_residual();
     return true;

@@ -19,7 +19,7 @@ struct ContactHistory {
   double lock = 0;  ///< the lock point o as a fraction of the edge from j (0) to k (1)
   /// The gap that counts as none, m. < 0: the overlap it started with, taken as stress-free, or what is left of
   /// a step that its corner has passed; > 0: one that glue or a block that came in has filled, what dilation has
-  /// lifted, or the stress at the start has closed.
+  /// lifted, or the stress at the start has closed. Where a joint crushes either, as its force has moved.
   double gap_offset = 0;
   double length = 0;  ///< over which cohesion and tensile strength act, m
   double normal = 0;  ///< N at the end of the last step: where the multipliers start

@@ -127,9 +127,12 @@ class DomainReader {
 
   /// Traces without an end have no bridges between them.
   void check_gap(const JointSetRecord& record) {
-    if (record.set.gap > 0 && record.locations.usable("gap") && !record.locations.written("trace"))
-      problems_.error(record.locations.of("gap"), "'gap' without 'trace': the lines run through",
-                      "write the length of a 'trace', or leave 'gap' out");
+    for (const char* key : {"gap", "gap_deviation"})
+      if (record.locations.good(key) && !record.locations.written("trace") &&
+          record.set.gap + record.set.gap_deviation > 0)
+        problems_.error(record.locations.of(key),
+                        "'" + std::string(key) + "' without 'trace': the lines run through",
+                        "write the length of a 'trace', or leave it out");
   }
 
   template <class Record>

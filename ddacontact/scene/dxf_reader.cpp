@@ -2,13 +2,13 @@
 #include <ddacontact/scene/key.hpp>
 #include <ddacontact/scene/spelling.hpp>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <numbers>
 #include <optional>
-#include <set>
 
 namespace ddacontact::scene_format {
 
@@ -118,6 +118,7 @@ class DxfReader {
 
  private:
   static constexpr double missing = std::numeric_limits<double>::infinity();  ///< no coordinate of a file
+  static constexpr double small_height = 1e-6;                                ///< m, of what counts as level
   static constexpr int surface_flags = 16 | 64;  ///< of group 70: a mesh of vertices, faces of a solid
 
   void find_entities() {
@@ -156,7 +157,8 @@ class DxfReader {
       if ((group.code >= 10 && group.code < 60)) numbers[group.code] = groups_.number();
     }
     if (start.value == "LWPOLYLINE") expect_whole(vertices, start);
-    if (start.value == "POLYLINE") vertices = read_vertices();
+    std::vector<double> heights{0};
+    if (start.value == "POLYLINE") vertices = read_vertices(heights);
     if (in_paper_space) return static_cast<void>(++skipped_[start.value + " of the paper space"]);
     if (start.value == "POLYLINE" && is_surface)
       return static_cast<void>(++skipped_["POLYLINE of a surface"]);
@@ -173,7 +175,9 @@ class DxfReader {
                   : is_arc    ? std::vector{10, 20, 40, 50, 51}
                               : std::vector<int>{});
     if (is_line) vertices = {{{numbers[10], numbers[20]}, 0}, {{numbers[11], numbers[21]}, 0}};
-    if (is_line && numbers[30] != numbers[31]) ++n_inclined_;
+    if (is_line) heights = {numbers[30], numbers[31]};
+    const auto [lowest, highest] = std::ranges::minmax(heights);
+    if (highest - lowest > small_height) ++n_inclined_;
     if (!is_circle && !is_arc) return add(vertices, std::move(line));
     if (!(numbers[40] > 0))
       throw DxfError{start.line, "the radius of the " + start.value + " is not positive", "correct group 40"};
@@ -208,9 +212,9 @@ class DxfReader {
   }
 
   /// The entities VERTEX behind a POLYLINE.
-  std::vector<Vertex> read_vertices() {
+  std::vector<Vertex> read_vertices(std::vector<double>& heights) {
     std::vector<Vertex> vertices;
-    std::set<double> heights;
+    heights.clear();
     while (groups_.starts("VERTEX")) {
       const Group start = groups_.now();
       std::map<int, double> numbers;
@@ -219,9 +223,9 @@ class DxfReader {
           numbers[groups_.now().code] = groups_.number();
       expect_groups(numbers, start, {10, 20});
       vertices.push_back({{numbers[10], numbers[20]}, numbers[42]});
-      heights.insert(numbers[30]);
+      heights.push_back(numbers[30]);
     }
-    if (heights.size() > 1) ++n_inclined_;
+    if (heights.empty()) heights = {0};
     if (groups_.starts("SEQEND")) do
         groups_.next();
       while (!groups_.at_end() && groups_.now().code != 0);
@@ -279,9 +283,10 @@ class DxfReader {
 
   void tell_skipped() {
     if (n_inclined_ > 0)
-      problems_.warning(location(1),
-                        std::to_string(n_inclined_) + " lines run out of the plane x-y: z is left out",
-                        "is it a section? Project joints measured in space onto it first");
+      problems_.warning(
+          location(1),
+          "out of the plane x-y run " + std::to_string(n_inclined_) + " of the lines: z is left out",
+          "is it a section? Project joints measured in space onto it first");
     std::string list;
     for (const auto& [kind, count] : skipped_)
       list += (list.empty() ? "" : ", ") + std::to_string(count) + " " + excerpt(kind);

@@ -31,7 +31,8 @@ void warn_of_early_quakes(const Document& document, const Scene& scene, ProblemL
           document.quakes[q].locations.of("acceleration"),
           "the record shakes the ground between t = " + rounded(begin) + " and " + rounded(end) +
               " s, in a static stage, where it is a load without inertia",
-          "its time counts from the start of the run: let it begin at t = " + rounded(end) + " s");
+          "its time counts from the start of the run: let it begin when the stage has ended, at t = " +
+              rounded(end) + " s" + (stage->until ? " at the latest" : ""));
     }
     begin = end;
   }

@@ -171,27 +171,26 @@ void warn_of_soft_joints(const Document& document, const Scene& scene, ProblemLi
   }
 }
 
-/// From cork to lead: what blocks are made of, kg/m3.
-constexpr Bounds usual_density{.low = 100, .high = 12000};
-
 /// The same of penalty springs, which bear what two blocks press on each other with.
 void warn_of_soft_springs(const Document& document, const Scene& scene, ProblemList& problems) {
   constexpr double large_penetration = 0.1;  // over the size of the block
   if (scene.contact.method != ContactMethod::classic || !document.contact.locations.good("normal_stiffness"))
     return;
-  double weight = 0, size = 0;
-  for (const BlockDescription& block : scene.blocks) {
-    const double area = std::abs(polyfem::signed_area(block.vertices));
-    weight = std::max(weight, area * scene.materials[block.material].density * scene.analysis.gravity.norm());
-    size = std::max(size, std::sqrt(area));
-  }
-  if (!(weight > large_penetration * size * scene.contact.normal_stiffness)) return;
-  problems.warning(
-      document.contact.locations.of("normal_stiffness"),
-      "blocks sink in by more than a tenth of their size on springs so soft: they may pass through "
-      "others",
-      "is 'normal_stiffness' right? It is in N/m; left out, 40 times the Young's modulus");
+  const double g = scene.analysis.gravity.norm();
+  const bool sink = std::ranges::any_of(scene.blocks, [&](const BlockDescription& block) {
+    const double area = std::abs(polyfem::signed_area(block.vertices)),
+                 weight = area * scene.materials[block.material].density * g;
+    return !block.fixed && weight > large_penetration * std::sqrt(area) * scene.contact.normal_stiffness;
+  });
+  if (!sink) return;
+  problems.warning(document.contact.locations.of("normal_stiffness"),
+                   "blocks sink into such soft springs by more than a tenth of their size: they may pass "
+                   "through others",
+                   "is 'normal_stiffness' right? It is in N/m; left out, 40 times the Young's modulus");
 }
+
+/// From cork to lead: what blocks are made of, kg/m3.
+constexpr Bounds usual_density{.low = 100, .high = 12000};
 
 /// Warns of densities that no usual material has: as a rule a number meant in another unit.
 void warn_of_unusual_densities(const Document& document, const Scene& scene, ProblemList& problems) {

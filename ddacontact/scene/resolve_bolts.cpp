@@ -196,24 +196,27 @@ void bring_bolts(const Document& document, const ResolvedBolts& bolts, const Blo
     const int last = std::ranges::max(held, {}, comes);
     const auto own = std::ranges::find_if(
         stages, [&](const StageDescription& stage) { return std::ranges::count(stage.bolts, bolt) > 0; });
-    if (own == stages.end()) {
-      if (comes(last) >= 0) stages[comes(last)].bolts.push_back(bolt);
-    } else if (const auto gone = std::ranges::find_if(
-                   held, [&](int block) { return blocks.outlines[block].goes <= own - stages.begin(); });
-               gone != held.end()) {
+    const int in = own == stages.end() ? comes(last) : static_cast<int>(own - stages.begin());
+    if (in < 0) continue;
+    const SourceLocation& location =
+        own == stages.end() ? document.bolts[bolt].locations.table : document.stages[in].locations.of("add");
+    const auto gone =
+        std::ranges::find_if(held, [&](int block) { return blocks.outlines[block].goes <= in; });
+    if (gone != held.end()) {
       const bool grouted = document.bolts[bolt].bolt.kind == RockBolt::Kind::grouted;
       const auto complain = grouted ? &ProblemList::warning : &ProblemList::error;
-      (problems.*complain)(document.stages[own - stages.begin()].locations.of("add"),
+      (problems.*complain)(location,
                            bolts.names.title(bolt) + " comes in when " + blocks.names.title(*gone) +
                                ", which it is fixed in, is gone",
                            grouted ? "its part there is left out: let it begin behind"
                                    : "end it in a block that is there then, or add it before");
-    } else if (own - stages.begin() < comes(last)) {
+    } else if (in < comes(last)) {
       problems.error(
-          document.stages[own - stages.begin()].locations.of("add"),
+          location,
           bolts.names.title(bolt) + " comes in before " + blocks.names.title(last) + ", which it is fixed in",
           "add it in the stage that adds the block, or later");
     }
+    if (own == stages.end()) stages[in].bolts.push_back(bolt);
   }
 }
 

@@ -103,11 +103,12 @@ void check_scheme(const Document& document, const Scene& scene, const NameTable&
   };
   // Pressures that follow blocks are those of the start of the step there.
   const auto check_water = [&](const AnalysisOptions& analysis, const KeyLocations& own, const Water& water) {
-    if (analysis.mode != Mode::dynamic || analysis.scheme != Scheme::dda || !water.any()) return false;
-    problems.warning(
-        own.written("scheme") ? own.of("scheme") : document.analysis.locations.of("scheme"),
-        "blocks that float gain energy by scheme \"dda\", whose forces are those of the start of a step",
-        "write scheme = \"decaying\" or \"midpoint\"");
+    if (analysis.mode != Mode::dynamic || analysis.scheme != Scheme::dda || water.table.cols() == 0)
+      return false;
+    problems.warning(own.written("scheme") ? own.of("scheme") : document.analysis.locations.of("scheme"),
+                     "blocks that float would gain energy by scheme \"dda\", whose forces are those of the "
+                     "start of a step",
+                     "write scheme = \"decaying\" or \"midpoint\"");
     return true;
   };
   const auto check_all = [&](const AnalysisOptions& analysis, const KeyLocations& own, const Water& water) {

@@ -7,24 +7,21 @@
 
 namespace ddacontact {
 
-BoundsReport iterate_bounds(const std::function<void(const VectorXd& bounds, VectorXd& wanted)>& solve,
-                            VectorXd& bounds) {
+bool iterate_bounds(const std::function<void(const VectorXd& bounds, VectorXd& wanted)>& solve,
+                    VectorXd& bounds) {
   constexpr double tolerance = 1e-9;
   constexpr int max_solves = MinimizeOptions{}.max_iterations, anderson_depth = 5, patience = 8;
   constexpr double sufficient_decrease = 0.8;
-  BoundsReport report;
   AndersonAcceleration acceleration(anderson_depth);
   VectorXd wanted = bounds, next = bounds;
   bool accelerated = true;
   double damping = 0.5, least = inf;
-  for (int solves_without_gain = 0; report.solves < max_solves;) {
+  for (int solves = 0, solves_without_gain = 0; solves < max_solves; ++solves) {
     bounds = next;
     solve(bounds, wanted);
-    ++report.solves;
     const VectorXd change = wanted - bounds;
     const double difference = change.size() ? change.cwiseAbs().maxCoeff() : 0;
-    report.settled = difference == 0 || difference <= tolerance * bounds.cwiseMax(wanted).maxCoeff();
-    if (report.settled) return report;
+    if (difference == 0 || difference <= tolerance * bounds.cwiseMax(wanted).maxCoeff()) return true;
 
     solves_without_gain = difference < sufficient_decrease * least ? 0 : solves_without_gain + 1;
     least = std::min(least, difference);
@@ -42,7 +39,7 @@ BoundsReport iterate_bounds(const std::function<void(const VectorXd& bounds, Vec
     }
     next = next.cwiseMax(0);
   }
-  return report;
+  return false;
 }
 
 }  // namespace ddacontact

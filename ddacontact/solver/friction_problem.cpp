@@ -24,12 +24,7 @@ unsigned char piece(const ContactTerm& contact, const VectorXd& d) {
 void find_pieces(const std::vector<ContactTerm>& contacts, const VectorXd& d,
                  std::vector<unsigned char>& pieces) {
   pieces.resize(contacts.size());
-  std::transform(contacts.begin(), contacts.end(), pieces.begin(),
-                 [&](const ContactTerm& contact) { return piece(contact, d); });
-}
-
-[[maybe_unused]] bool over_the_same_unknowns(const AffineForm& a, const AffineForm& b) {
-  return std::equal(a.unknowns().begin(), a.unknowns().end(), b.unknowns().begin(), b.unknowns().end());
+  std::ranges::transform(contacts, pieces.begin(), [&](const ContactTerm& of) { return piece(of, d); });
 }
 
 /// |multiplier| + stiffness * (sum of the magnitudes of the form's terms): what its force is the sum of.
@@ -80,7 +75,7 @@ void FrictionProblem::set_pattern(const std::vector<ContactTerm>& contacts) {
   };
   for_elements([&](int, std::span<const int> unknowns) { append(unknowns); });
   for (const ContactTerm& contact : contacts) {
-    assert(!contact.sheared || over_the_same_unknowns(contact.gap, contact.slip));
+    assert(!contact.sheared || std::ranges::equal(contact.gap.unknowns(), contact.slip.unknowns()));
     append(contact.gap.unknowns());
   }
   // Steps go on from what a record holds, which says nothing of orders.

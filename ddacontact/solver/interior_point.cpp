@@ -52,8 +52,6 @@ struct InteriorPoint : EvaluatedContacts {
     return report;
   }
 
-  unsigned char state(std::size_t c) const { return inside[c].state(laws[c]); }
-
   /// Mehrotra's method. False: mu does not fall far enough.
   bool let_mu_fall() {
     evaluate();
@@ -87,7 +85,7 @@ struct InteriorPoint : EvaluatedContacts {
   /// Whether the states can be told where so much of the way is left.
   bool tells_states(double way) {
     const std::vector<unsigned char> before = std::exchange(states, {});
-    for (std::size_t c = 0; c < inside.size(); ++c) states.push_back(state(c));
+    for (std::size_t c = 0; c < inside.size(); ++c) states.push_back(inside[c].state(laws[c]));
     return way <= nearer || (way <= 1 && states == before);
   }
 
@@ -340,7 +338,7 @@ InteriorReport find_interior_point_states(StepSystem& system, const EvaluatedCon
                                           std::vector<unsigned char>& states) {
   InteriorPoint point{contacts, system, d};
   const InteriorReport report = point.solve();
-  for (std::size_t c = 0; c < contacts.terms.size(); ++c) states[c] = point.state(c);
+  for (std::size_t c = 0; c < contacts.terms.size(); ++c) states[c] = point.inside[c].state(contacts.laws[c]);
   return report;
 }
 

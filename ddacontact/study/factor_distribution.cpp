@@ -93,12 +93,12 @@ FactorDistribution distribution_of(const std::vector<std::string>& low,
 }
 
 std::string describe(const FactorDistribution& distribution) {
-  const std::string unknown =
-      distribution.n_unknown == 0
-          ? ""
-          : text(
-                "%d cases ended without a factor and count nowhere: see 'status' and 'reason' in sweep.csv\n",
-                distribution.n_unknown);
+  const std::string unknown = distribution.n_unknown == 0
+                                  ? ""
+                                  : text(
+                                        "without a factor, and counted nowhere: %d of the cases (see "
+                                        "'status' and 'reason' in sweep.csv)\n",
+                                        distribution.n_unknown);
   if (distribution.n_cases() == 0) return "no case has a factor of safety\n" + unknown;
   const std::vector<double>& factors = distribution.factors;
   std::string lines;

@@ -19,7 +19,7 @@ namespace {
 void rise(const ContactProperties& properties, double shear_before, Contact& contact, Energy& energy) {
   const JointStrength& joint = properties.strength(contact.pair);
   double& offset = contact.history.gap_offset;
-  if (offset < 0 && properties.lip < inf && !contact.law.compliant)
+  if (offset < 0 && properties.lip < inf && !contact.law.compliant && !joint.crushes())
     offset = std::min(0.0, offset + properties.lip / near_corner * std::abs(contact.slip_change));
   const double most = joint.dilation * joint.dilation_slip;
   if (offset >= most) return;
@@ -78,8 +78,8 @@ ContactEnds end_histories(const BlockSystem& blocks, const BlockState& next, con
       // Where a block turns, a place that follows its force at once makes it alternate in short steps.
       if (contact.closed() && rule.has_half_steps() && !rule.starts_at_rest)
         history.normal = (before.history.normal + history.normal) / 2;
-      // The force moves along the face, and the gap that counts as none with it: nothing falls by that, which takes
-      // longer than a short step.
+      // The force moves along the face, and the gap that counts as none with it: nothing falls by that, which
+      // takes longer than a short step.
       const auto gap_of = [&](const ContactRecord& at) {
         return motion_of(blocks, next, at.pair, properties.inset(at)).start_gap();
       };

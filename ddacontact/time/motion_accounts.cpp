@@ -1,6 +1,7 @@
 #include <ddacontact/time/motion_accounts.hpp>
 
 #include <ddacontact/block/block_motion.hpp>
+#include <ddacontact/core/disjoint_sets.hpp>
 #include <ddacontact/time/joint_springs.hpp>
 
 #include <algorithm>
@@ -10,40 +11,61 @@ namespace ddacontact {
 
 namespace {
 
-/// What a contact takes or gives: friction, the end of an approach, and pushing out.
-void account_contact(const StepRule& rule, double dt, const BlockState& from, const VectorXd& straight,
-                     Contact& contact, Energy& energy) {
-  if (contact.normal == 0 && contact.shear == 0 && !contact.law.compliant) return;
-  const GapAndSlip start = contact.motion.rates_at(contact.motion.positions(), contact.history.lock);
-  const double slipped = contact.end_slip - start.slip;
-  contact.gap_change = contact.motion.change_along(start.by_gap, straight);
-  contact.slip_change = contact.motion.change_along(start.by_slip, straight);
-  if (contact.law.compliant) {
-    account_joint_springs(contact, false, energy);
-    return;
-  }
-  // An impulse, that of a dashpot included, changes kinetic energy by p times the mean of the rates before
-  // and after.
-  const auto exchanged_by = [&](double force, const VertexEdgeGradient& by, double change) {
-    const double before = rule.starts_at_rest ? 0 : contact.motion.change_along(by, from.going_on());
-    return force * rule.impulse_time * (dt * before + change) / 2;
+/// What contacts take or give: friction, the end of an approach, and pushing out.
+void account_contacts(const StepSystem& system, const BlockState& from, const VectorXd& straight,
+                      std::vector<Contact>& contacts, Energy& energy) {
+  const auto before = [&](const Contact& contact, const VertexEdgeGradient& by) {
+    return system.rule().starts_at_rest ? 0 : system.dt() * contact.motion.change_along(by, from.going_on());
   };
-  const double exchanged = exchanged_by(contact.normal, start.by_gap, contact.gap_change);
-  double by_friction = is_slipping(contact.history.state) ? -contact.shear * slipped : 0;
-  // Where blocks meet friction acts in the same impulse: what it gives back there the normal force has taken.
-  double given_back = 0;
-  if (contact.start_state == ContactState::open && exchanged < 0) {
-    const double by_shear = exchanged_by(contact.shear, start.by_slip, contact.slip_change);
-    given_back = std::clamp(by_shear + by_friction, 0.0, -exchanged);
-    by_friction = std::max(by_friction, -by_shear);
+  // Where an approach ends all impulses on blocks that touch go together: one may give what another one has
+  // taken.
+  const BlockSystem& blocks = system.blocks();
+  std::vector<char> hit(blocks.n_blocks(), 0);
+  DisjointSets islands(blocks.n_blocks());
+  for (const Contact& contact : contacts) {
+    const auto [a, b] = contact.pair.blocks();
+    if (contact.normal > 0 && before(contact, contact.first_gap().gradient) < -contact.end_tolerance())
+      hit[a] = hit[b] = 1;
+    if (contact.normal > 0 && blocks.is_movable(a) && blocks.is_movable(b)) islands.join(a, b);
   }
-  energy.friction_dissipated += by_friction;
-  (exchanged > 0 ? energy.pushed_out : energy.damping_dissipated) += std::abs(exchanged) - given_back;
-  energy.numerical_dissipated -= contact.shear * contact.slip_change + by_friction - given_back +
-                                 contact.normal * contact.gap_change - exchanged;
+  std::vector<Vec2> losses(blocks.n_blocks(), Vec2::Zero());  // of islands with hit blocks
+  for (Contact& contact : contacts) {
+    if (contact.normal == 0 && contact.shear == 0 && !contact.law.compliant) continue;
+    const GapAndSlip start = contact.motion.rates_at(contact.motion.positions(), contact.history.lock);
+    contact.gap_change = contact.motion.change_along(start.by_gap, straight);
+    contact.slip_change = contact.motion.change_along(start.by_slip, straight);
+    if (contact.law.compliant) {
+      account_joint_springs(contact, false, energy);
+      continue;
+    }
+    // An impulse, that of a dashpot included, changes kinetic energy by p times the mean of the rates before
+    // and after.
+    const double half = system.rule().impulse_time / 2,
+                 exchanged = half * contact.normal * (before(contact, start.by_gap) + contact.gap_change);
+    energy.numerical_dissipated -= contact.normal * contact.gap_change + contact.shear * contact.slip_change;
+    const auto [a, b] = contact.pair.blocks();
+    if (const int moved = blocks.is_movable(a) ? a : b; hit[moved] || (hit[b] && blocks.is_movable(b))) {
+      const double by_slip = half * contact.shear * (before(contact, start.by_slip) + contact.slip_change);
+      losses[islands.root(moved)] -= Vec2(exchanged, by_slip);
+      continue;
+    }
+    const double slid =
+        is_slipping(contact.history.state) ? contact.shear * (start.slip - contact.end_slip) : 0;
+    energy.friction_dissipated += slid;
+    (exchanged > 0 ? energy.pushed_out : energy.damping_dissipated) += std::abs(exchanged);
+    energy.numerical_dissipated -= slid - exchanged;
+  }
+  for (const Vec2& of_island : losses) account_losses(of_island[0], of_island[1], energy);
 }
 
 }  // namespace
+
+void account_losses(double by_normal, double by_friction, Energy& energy) {
+  const double all = by_normal + by_friction, of_friction = std::clamp(by_friction, 0.0, std::max(0.0, all));
+  energy.numerical_dissipated -= all;
+  energy.friction_dissipated += of_friction;
+  (all < 0 ? energy.pushed_out : energy.damping_dissipated) += std::abs(all) - of_friction;
+}
 
 void account_motion_step(const StepSystem& system, const BlockState& from, const VectorXd& straight,
                          const Residual& residual, std::vector<Contact>& contacts, Energy& energy) {
@@ -66,8 +88,7 @@ void account_motion_step(const StepSystem& system, const BlockState& from, const
     energy.damping_dissipated += losses.damping;
     energy.numerical_dissipated += losses.scheme;
   }
-  for (Contact& contact : contacts)
-    account_contact(system.rule(), system.dt(), from, straight, contact, energy);
+  account_contacts(system, from, straight, contacts, energy);
 }
 
 }  // namespace ddacontact

@@ -187,7 +187,7 @@ bool solve_with_friction(const NormalAndShear& rates, const Participants& of, co
   };
   problem.forget_impulses();
   VectorXd bounds = of.bounds(given);
-  return iterate_bounds(solve, bounds).settled && vanish;
+  return iterate_bounds(solve, bounds) && vanish;
 }
 
 }  // namespace

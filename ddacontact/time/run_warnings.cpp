@@ -13,9 +13,6 @@ namespace {
 constexpr double far_part = 0.1;
 /// Of fewer blocks in contact, most is said of too few.
 constexpr int least_blocks = 4;
-/// Of a block's size, in one substep: below the default tolerance of penetration sliding is not told from
-/// rest.
-constexpr double least_slip = standard_defaults.penetration_tolerance;
 /// The largest strain of the edges of an outline, as a ratio.
 double edge_strain(const PointsRef& reference, const PointsRef& outline) {
   double largest = 0;
@@ -43,9 +40,11 @@ void RunWarnings::note(const SeenStep& step) {
   for (const Contact& contact : step.contacts) {
     if (contact.start_state == ContactState::open && !contact.closed()) continue;
     const bool differs = !step.is_first && contact.start_state != contact.history.state;
-    const bool slipped = step.has_velocities && contact.closed() &&
-                         std::abs(contact.slip_change) > least_slip * contact.size &&
-                         carries_waves(step.blocks, contact, step.dt);
+    // Below the default tolerance of penetration sliding is not told from rest.
+    const bool slipped =
+        step.has_velocities && contact.closed() &&
+        std::abs(contact.slip_change) > standard_defaults.penetration_tolerance * contact.size &&
+        carries_waves(step.blocks, contact, step.dt);
     for (int b : contact.pair.blocks()) {
       touches[b] = 1;
       if (differs) changes[b] = 1;

@@ -10,9 +10,6 @@ namespace ddacontact {
 
 namespace {
 
-/// Neighbours are looked for as far as this times a block's size, and its reach, around it.
-constexpr double neighbourhood = 1;
-
 bool is_steady(const TimeFunction& function) {
   return function.kind == TimeFunction::Kind::constant && function.rise == 0;
 }
@@ -299,9 +296,9 @@ void SleepingBlocks::form_part(const std::vector<Box>* around) {
   for (int b = 0; b < n_blocks; ++b) {
     resting[b] = sleeping_.is_asleep(b);
     takes_part[b] = blocks_.is_present(b) && !resting[b] && !blocks_.is_unchanging(b);
+    // Neighbours are looked for as far as its size, and its reach, around a block.
     if (takes_part[b] && blocks_.is_movable(b) && !around)
-      boxes.push_back(box_of(blocks_, state_, b,
-                             neighbourhood * blocks_.block(b).size() + limits_.largest_search_margin(b)));
+      boxes.push_back(box_of(blocks_, state_, b, blocks_.block(b).size() + limits_.largest_search_margin(b)));
   }
   asleep.around = around ? *around : boxes;
 

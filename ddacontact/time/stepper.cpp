@@ -212,8 +212,8 @@ Stepper::Trial Stepper::make_trial(double dt) {
 void Stepper::detect(double dt) {
   const polyfem::Stopwatch watch(trial_.times().detection);
   search_margin_ = sleepers_.look_around(dt, margin_scale_);
-  // What holds blocks at rest may be their corners alone: asked when rest begins, and before a stage ends in it,
-  // with as many steps left as count as rest, which comes again in three to six.
+  // What holds blocks at rest may be their corners alone: asked when rest begins, and before a stage ends in
+  // it, with as many steps left as count as rest, which comes again in three to six.
   const Equilibrium& last = run_.equilibrium;
   const int left = analysis_.steps - progress_.steps,
             enough = std::min(Sleeping::enough, (analysis_.steps + 1) / 2);

@@ -4,8 +4,6 @@
 #include <ddacontact/time/energy_accounts.hpp>
 #include <ddacontact/time/motion_accounts.hpp>
 
-#include <algorithm>
-
 namespace ddacontact {
 
 namespace {
@@ -72,12 +70,9 @@ std::vector<std::string> end_bolts(const AcceptedTrial& accepted, BlockState& ne
 }
 
 void account_impact(const StepImpact& impact, Energy& energy) {
-  const double all = impact.friction_loss + impact.normal_loss,
-               by_friction = std::clamp(impact.friction_loss, std::min(0.0, all), std::max(0.0, all));
-  energy.numerical_dissipated += impact.support_work - all;
+  energy.numerical_dissipated += impact.support_work;
   energy.external += impact.support_work;
-  energy.friction_dissipated += by_friction;
-  energy.damping_dissipated += all - by_friction;
+  account_losses(impact.normal_loss, impact.friction_loss, energy);
 }
 
 void book_kinetic(double kinetic, Energy& energy) {

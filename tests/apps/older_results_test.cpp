@@ -201,6 +201,8 @@ TEST_F(OlderResults, AreNotLostWithWhatCannotBeTold) {
     const std::string call = "run '" POLYDDA_EXAMPLES "/paper/sliding_0.toml' --steps 2 --force -o told 2>";
     EXPECT_EQ(dda(call + lost + "; exit $?; true"), 0) << lost;
     EXPECT_EQ(steps_of("told"), 2);
+    for (const char* file : {"told/monitors.csv", "told/energy.csv"})
+      EXPECT_EQ(read_file(directory_ / file).find("step "), std::string::npos) << file;
     EXPECT_EQ(dda("run none.toml 2>" + lost + "; exit $?; true"), 4) << lost;
   }
 }

@@ -19,7 +19,7 @@ struct Turning {
     A << 0, -gain, gain, 0;
     c << c_0, 1;
   }
-  BoundsReport find(VectorXd& bounds) {
+  bool find(VectorXd& bounds) {
     return iterate_bounds(
         [&](const VectorXd& b, VectorXd& wanted) {
           ++calls;
@@ -36,11 +36,10 @@ TEST(FrictionBounds, SettleWhereTheyAgreeAlsoWhenThePlainIterationDiverges) {
   for (auto [gain, c_0] : {std::pair(0., 3.), {0.3, 3}, {0.9, 3}, {1.2, 3}, {2, 3}, {0.9, 0.2}, {2, 1}}) {
     Turning turning(gain, c_0);
     VectorXd bounds = VectorXd::Zero(2);
-    const BoundsReport report = turning.find(bounds);
-    EXPECT_TRUE(report.settled) << gain;
+    const bool settled = turning.find(bounds);
+    EXPECT_TRUE(settled) << gain;
     EXPECT_LE((bounds - (turning.A * bounds + turning.c).cwiseMax(0)).norm(), 2e-9 * bounds.norm()) << gain;
-    EXPECT_EQ(report.solves, turning.calls);
-    EXPECT_LE(report.solves, 15) << gain;
+    EXPECT_LE(turning.calls, 15) << gain;
   }
 }
 
@@ -48,29 +47,39 @@ TEST(FrictionBounds, SettleWhereTheyAgreeAlsoWhenThePlainIterationDiverges) {
 /// accelerated steps may jump across it for ever.
 TEST(FrictionBounds, SettleWhenContactsChangeTheirStates) {
   VectorXd bounds = VectorXd::Constant(1, 9);
-  const BoundsReport report = iterate_bounds(
+  const bool settled = iterate_bounds(
       [](const VectorXd& b, VectorXd& wanted) {
         wanted = VectorXd::Constant(1, std::clamp(1 - 4 * (b[0] - 1), 0.2, 1.8));
       },
       bounds);
-  EXPECT_TRUE(report.settled);
+  EXPECT_TRUE(settled);
   EXPECT_NEAR(bounds[0], 1, 1e-8);
 }
 
 TEST(FrictionBounds, WithoutSolutionTheIterationEnds) {
   VectorXd bounds = VectorXd::Zero(1);
-  const BoundsReport report = iterate_bounds(
-      [](const VectorXd& b, VectorXd& wanted) { wanted = VectorXd::Constant(1, b[0] > 1 ? 0 : 2); }, bounds);
-  EXPECT_FALSE(report.settled);
-  EXPECT_EQ(report.solves, 100);
+  int solves = 0;
+  const bool settled = iterate_bounds(
+      [&](const VectorXd& b, VectorXd& wanted) {
+        ++solves;
+        wanted = VectorXd::Constant(1, b[0] > 1 ? 0 : 2);
+      },
+      bounds);
+  EXPECT_FALSE(settled);
+  EXPECT_EQ(solves, 100);
 }
 
 TEST(FrictionBounds, WithoutFrictionOneSolveIsEnough) {
   for (Index n : {0, 3}) {
     VectorXd bounds = VectorXd::Zero(n);
-    const BoundsReport report =
-        iterate_bounds([&](const VectorXd&, VectorXd& wanted) { wanted.setZero(n); }, bounds);
-    EXPECT_TRUE(report.settled);
-    EXPECT_EQ(report.solves, 1);
+    int solves = 0;
+    const bool settled = iterate_bounds(
+        [&](const VectorXd&, VectorXd& wanted) {
+          ++solves;
+          wanted.setZero(n);
+        },
+        bounds);
+    EXPECT_TRUE(settled);
+    EXPECT_EQ(solves, 1);
   }
 }

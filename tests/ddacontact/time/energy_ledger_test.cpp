@@ -172,7 +172,6 @@ Scene rock_at(double time_step, int steps) {
 
 }  // namespace
 
-/// A dashpot takes no more than a falling block has, however fast it closes within a step.
 /// Blocks thrown on a rough floor without weight: corners that meet it slip back by what turns them, and friction
 /// gives back what the normal force has taken.
 TEST(EnergyLedger, ImpactsWithFrictionMakeNoEnergy) {
@@ -195,11 +194,11 @@ TEST(EnergyLedger, ImpactsWithFrictionMakeNoEnergy) {
       const Energy& now = built.stepper->energy().now;
       EXPECT_LT(built.stepper->energy().created(), 1e-3) << friction << ' ' << k;
       EXPECT_LT(now.kinetic, 0.9 * before) << "it has hit the floor";
-      EXPECT_GE(now.friction_dissipated, 0);
-      EXPECT_GE(now.damping_dissipated, 0);
+      EXPECT_LT(now.pushed_out, 1e-3 * before);
     }
 }
 
+/// A dashpot takes no more than a falling block has, however fast it closes within a step.
 TEST(EnergyLedger, ADashpotTakesWhatTheFallGave) {
   for (const Scheme scheme :
        {Scheme::decaying, Scheme::central_difference, Scheme::backward_euler, Scheme::midpoint}) {

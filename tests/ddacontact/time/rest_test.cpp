@@ -130,8 +130,6 @@ TEST(Rest, AStaticWallOfManyCoursesSlipsEverLess) {
   EXPECT_TRUE(stepper.equilibrium().in_balance());
 }
 
-/// An overlap at the start is free of stress: the block neither jumps nor sinks by it. All points and the
-/// lock points' fractions are whole binary numbers: nothing is left to round-off.
 /// A wall of rectangles and two blocks of six corners under 0.31 of its weight sideways, three quarters of what
 /// overturns it: its corners are asked before the stage ends, and it rests again when it does.
 TEST(Rest, AStageEndsInItThoughItsCornersWereAsked) {
@@ -169,6 +167,8 @@ vertices = [[0, "$y3"], ["$x1", "$y3"], ["$x1", "$y4"], [0, "$y4"]]
   }
 }
 
+/// An overlap at the start is free of stress: the block neither jumps nor sinks by it. All points and the
+/// lock points' fractions are whole binary numbers: nothing is left to round-off.
 TEST(Rest, AnInitialOverlapMakesNoForce) {
   Scene scene = resting(BlockModel::wachspress, 0, Mode::dynamic);
   scene.analysis.gravity.setZero();
