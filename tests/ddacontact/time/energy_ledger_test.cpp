@@ -176,7 +176,7 @@ Scene rock_at(double time_step, int steps) {
 /// gives back what the normal force has taken.
 TEST(EnergyLedger, ImpactsWithFrictionMakeNoEnergy) {
   for (const double friction : {10., 20., 45.})
-    for (int k = 0; k < 12; ++k) {
+    for (int k = 0; k < 24; ++k) {
       Scene scene = rock_scene(0.01, 4);
       scene.analysis.gravity = Vec2::Zero();
       scene.analysis.kinematics = Kinematics::corotational;
@@ -187,6 +187,9 @@ TEST(EnergyLedger, ImpactsWithFrictionMakeNoEnergy) {
       Points thrown = turned(rectangle(0, 0, 1, 0.6), radians(7.5 * k + 3));
       thrown.row(1).array() += 0.05 - thrown.row(1).minCoeff();
       scene.blocks = {block(rectangle(-20, -1, 40, 1), true), block(thrown)};
+      if (k % 2 == 1)
+        scene.blocks.push_back(block(rectangle(-2, -1, 4, 1)));  // thrown on a block on the floor
+      if (k % 2 == 1) scene.blocks[0] = block(rectangle(-20, -2, 40, 1), true);
       scene.blocks[1].velocity = Vec2(k % 3 - 1.0, -5);
       const BuiltScene built = build(scene);
       const double before = built.stepper->energy().now.kinetic;
