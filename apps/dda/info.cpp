@@ -38,8 +38,7 @@ int info(const std::string& name) {
     if (!fs::exists(directory / "summary.json")) {
       const fs::path checkpoint = directory / "checkpoint.bin";
       throw Error(fmt::format(
-          "\"{}\" has no summary.json yet: its run is still going on, or was killed ({}run "
-          "the scene again)",
+          "\"{}\" has no summary.json yet: its run is still going on, or was killed ({}run the scene again)",
           directory.string(),
           fs::exists(checkpoint) ? fmt::format("go on with --resume {}, or ", checkpoint.string()) : ""));
     }

@@ -118,7 +118,8 @@ class DxfReader {
 
  private:
   static constexpr double missing = std::numeric_limits<double>::infinity();  ///< no coordinate of a file
-  static constexpr double small_height = 1e-6;                                ///< m, of what counts as level
+  /// m, of what counts as level
+  static constexpr double small_height = 1e-6;
   static constexpr int surface_flags = 16 | 64;  ///< of group 70: a mesh of vertices, faces of a solid
 
   void find_entities() {

@@ -1,5 +1,5 @@
-/// \file Factors L L^T, and L U of matrices whose pattern is symmetric, made by fronts: what the elimination of
-/// a group of columns subtracts from the rows below it waits for the group above (I. S. Duff and J. K. Reid,
+/// \file Factors L L^T, and L U of matrices whose pattern is symmetric, made by fronts: what the elimination
+/// of a group of columns subtracts from the rows below it waits for the group above (I. S. Duff and J. K. Reid,
 /// "The multifrontal solution of indefinite sparse symmetric linear equations", 1983).
 #pragma once
 

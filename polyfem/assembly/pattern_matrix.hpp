@@ -29,9 +29,9 @@ struct Connectivity {
   bool operator==(const Connectivity&) const = default;
 };
 
-/// The lower triangle of a sum of small symmetric matrices, and of products of vectors what the upper triangle
-/// has more. The pattern is the union over all elements of the connectivity, with the diagonal; where each entry
-/// of each element goes is found once per connectivity.
+/// The lower triangle of a sum of small symmetric matrices, and of products of vectors what the upper
+/// triangle has more. The pattern is the union over all elements of the connectivity, with the diagonal;
+/// where each entry of each element goes is found once per connectivity.
 class PatternMatrix {
  public:
   /// Prepares for these elements; false when the pattern is the one it was: an analysis of it holds on.
@@ -58,8 +58,8 @@ class PatternMatrix {
  private:
   /// Whether the last connectivity was this one.
   bool is_of(const Connectivity& connectivity) const;
-  /// Adds what of a matrix falls on the diagonal or below it to the values at the slots: entry(i, j) of the rows
-  /// of the element.
+  /// Adds what of a matrix falls on the diagonal or below it to the values at the slots: entry(i, j) of the
+  /// rows of the element.
   template <class Entry>
   void add_entries(int element, const Entry& entry, double* values);
   template <int size, class Entry>
