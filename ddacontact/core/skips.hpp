@@ -13,11 +13,10 @@ struct Skips {
   bool congruent = true;         ///< congruent blocks share their reference matrices
   bool output = true;            ///< stresses and pictures only where requested
   // within the tolerance
-  bool stale_factor = true;  ///< an older factor as preconditioner while few springs changed
-  bool cg = true;            ///< conjugate gradients, without a factor, where inertia dominates
-  bool islands = true;       ///< blocks that do not touch are solved apart
-  bool sleep = true;         ///< islands at rest are left alone until something reaches them
-  bool skin = true;          ///< pairs of blocks are looked for again only after motion beyond a margin
+  bool cg = true;       ///< sweeps over the contacts, without a factor, where inertia dominates
+  bool islands = true;  ///< blocks that do not touch are solved apart
+  bool sleep = true;    ///< islands at rest are left alone until something reaches them
+  bool skin = true;     ///< pairs of blocks are looked for again only after motion beyond a margin
 
   bool operator==(const Skips&) const = default;
 };

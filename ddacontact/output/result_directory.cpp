@@ -310,8 +310,6 @@ void ResultDirectory::write_summary(const Stepper& stepper, const RunSummary& su
                                        {"tolerance_largest", counts.largest_tolerance},
                                        {"scheme", summary.scheme},
                                        {"explicit", stable_step_of(stepper, name_of)},
-                                       {"solutions_with_stale_factor", counts.solutions_with_stale_factor},
-                                       {"krylov_iterations", counts.krylov_iterations},
                                        {"solver_fallbacks", counts.solver_fallbacks},
                                        {"broken_bonds", counts.broken_bonds},
                                        {"impacts", counts.impacts},

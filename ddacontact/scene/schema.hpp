@@ -586,9 +586,6 @@ void describe(Skips& s, Visit&& visit) {
   visit(Key{.name = "congruent", .what = "Reference matrices of a block that is congruent to another."},
         s.congruent);
   visit(Key{.name = "output", .what = "Stresses and pictures that are not requested."}, s.output);
-  visit(Key{.name = "stale_factor",
-            .what = "Factorizing while few springs changed: an older factor is the preconditioner."},
-        s.stale_factor);
   visit(
       Key{.name = "cg", .what = "Factorizing where inertia dominates: sweeps over the contacts do without."},
       s.cg);

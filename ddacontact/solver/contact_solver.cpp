@@ -29,7 +29,7 @@ constexpr int most_solutions_of_states = 6;
 constexpr double sufficient_decrease = 1e-2;
 /// A factor is reused while each solution with it reduces the residual to this part: contact normals turned
 /// since then leave stiff forces in soft directions.
-constexpr double stale_factor_gain = 0.1;
+constexpr double kept_factor_gain = 0.1;
 /// Solutions without a smaller residual after which an accepted one is final, and after which states are
 /// left; changes of the active set from which on an accepted residual is final.
 constexpr int patience = 4, most_in_vain = 12, changes_until_accepted = patience;
@@ -57,7 +57,6 @@ struct ContactSolver {
   bool leaves_open = options.is_static;
   bool near = false;  ///< a solution is near: by that method or a warm start
   double last_block_relative = inf, first_of_states = inf;
-  TangentSolver tangent{system.problem(), options.skip};
   AndersonAcceleration acceleration{};
   VectorXd correction{};
 
@@ -236,8 +235,7 @@ struct ContactSolver {
       evaluate_states();
     }
     if (since_best > most_in_vain) return leave_active_set();
-    if (solutions_of_states == 0 ||
-        report.residual.block_relative > stale_factor_gain * last_block_relative) {
+    if (solutions_of_states == 0 || report.residual.block_relative > kept_factor_gain * last_block_relative) {
       system.linearize(d);
       if (solutions_of_states == 0) acceleration.reset();
       if (solutions_of_states == 0) first_of_states = report.residual.block_relative;
@@ -245,9 +243,9 @@ struct ContactSolver {
     last_block_relative = report.residual.block_relative;
     std::vector<unsigned char> active(states.size());
     for (std::size_t c = 0; c < states.size(); ++c) active[c] = states[c] & all_act;
-    if (!tangent.solve(contacts.terms(), active, contacts.couplings(states), report.residual.force,
-                       correction))
+    if (!system.problem().factorize(contacts.terms(), active, contacts.couplings(states)))
       return leave_active_set();
+    system.problem().solve(report.residual.force, correction);
     VectorXd moved = d - correction;
     if (solutions_of_states >= first_accelerated)
       acceleration.advance(correction.cwiseProduct(system.unknown_lengths()), moved);
@@ -325,7 +323,6 @@ struct ContactSolver {
     contacts.end(d);
     if (status == SolutionStatus::forces_unsettled) report.worst_contact = find_unbalanced();
     report.status = status;
-    report.tangent += tangent.counts();
     return std::move(report);
   }
 };

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <ddacontact/solver/step_system.hpp>
-#include <ddacontact/solver/tangent_solver.hpp>
 
 #include <algorithm>
 #include <optional>
@@ -54,10 +53,10 @@ struct ContactSolverReport {
   int iterations = 0;  ///< solutions of (13)
   int augmentations = 0;
   int sweeps = 0;                 ///< over the contacts
+  int sweep_fallbacks = 0;        ///< sweeps that did not converge: the active set solved the step
   int interior_point_solves = 0;  ///< runs of the interior-point method
   int interior_solutions = 0;     ///< of `iterations`, those of the interior-point method
   double tolerance = 0;           ///< to which contact forces were solved
-  TangentCounts tangent;
   Residual residual;
   int worst_contact = -1;  ///< nearest to the trouble, -1: none
 };

@@ -129,24 +129,15 @@ bool FrictionProblem::factorize(const std::vector<ContactTerm>& contacts,
   return true;
 }
 
-/// x = method(b) of the equations, as one of all unknowns.
-void FrictionProblem::solve_by(void (polyfem::Cholesky::*method)(const VectorXd&, VectorXd&),
-                               const VectorXd& b, VectorXd& x) {
-  assert(b.size() == std::ssize(equation_));
-  rhs_.resize(n_equations_);
-  for (Index k = 0; k < b.size(); ++k)
-    if (equation_[k] >= 0) rhs_[equation_[k]] = b[k];
-  (cholesky_.*method)(rhs_, solution_);
-  x.resize(equation_.size());
-  for (Index k = 0; k < x.size(); ++k) x[k] = equation_[k] >= 0 ? solution_[equation_[k]] : 0;
-}
-
 void FrictionProblem::solve(const VectorXd& residual, VectorXd& correction) {
-  solve_by(&polyfem::Cholesky::solve, residual, correction);
-}
-
-void FrictionProblem::solve_roughly(const VectorXd& residual, VectorXd& correction) {
-  solve_by(&polyfem::Cholesky::solve_roughly, residual, correction);
+  assert(residual.size() == std::ssize(equation_));
+  rhs_.resize(n_equations_);
+  for (Index k = 0; k < residual.size(); ++k)
+    if (equation_[k] >= 0) rhs_[equation_[k]] = residual[k];
+  cholesky_.solve(rhs_, solution_);
+  correction.resize(equation_.size());
+  for (Index k = 0; k < correction.size(); ++k)
+    correction[k] = equation_[k] >= 0 ? solution_[equation_[k]] : 0;
 }
 
 VectorXd FrictionProblem::free_part(const VectorXd& b) const {

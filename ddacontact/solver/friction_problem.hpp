@@ -68,8 +68,6 @@ class FrictionProblem {
   /// correction = (last factorized)^-1 residual on the free unknowns, 0 on prescribed ones. The factor may be
   /// of other matrices and springs than the present ones, of the same number of unknowns.
   void solve(const VectorXd& residual, VectorXd& correction);
-  /// Solves as `solve` does, in single precision where that is quicker.
-  void solve_roughly(const VectorXd& residual, VectorXd& correction);
   /// b with 0 at prescribed degrees of freedom.
   VectorXd free_part(const VectorXd& b) const;
 
@@ -86,8 +84,6 @@ class FrictionProblem {
 
  private:
   void set_pattern(const std::vector<ContactTerm>& contacts);
-  void solve_by(void (polyfem::Cholesky::*method)(const VectorXd&, VectorXd&), const VectorXd& b,
-                VectorXd& x);
   bool is_round_off(const std::vector<ContactTerm>& contacts, const VectorXd& g0, const VectorXd& d);
   double step_length(const std::vector<ContactTerm>& contacts, const VectorXd& d);
 

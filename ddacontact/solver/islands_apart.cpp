@@ -130,7 +130,7 @@ struct IslandsApart::Island {
     report.sweeps += of_own.sweeps;
     report.tolerance = std::max(report.tolerance, of_own.tolerance);
     report.interior_solutions += of_own.interior_solutions;
-    report.tangent += of_own.tangent;
+    report.sweep_fallbacks += of_own.sweep_fallbacks;
     Residual& residual = report.residual;
     const Residual& own = of_own.residual;
     residual.force(part->unknowns()) = own.force;

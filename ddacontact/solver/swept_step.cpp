@@ -96,7 +96,7 @@ bool solve_by_sweeps(StepSystem& system, const ContactSolverOptions& options, Au
     ++report.augmentations;
     contacts.evaluate(d);
   }
-  ++report.tangent.fallbacks;
+  ++report.sweep_fallbacks;
   return false;
 }
 

@@ -30,9 +30,8 @@ void visit_counts(Archive& visit, Counts& c) {
   visit_all(visit, c.steps, c.substeps, c.rejected, c.overlap_rejections, c.unconverged, c.contact_iterations,
             c.linear_solves, c.factorizations, c.augmentations, c.broken_bonds, c.impacts, c.limited_impacts,
             c.unsettled_impacts, c.unknown_velocities, c.contacts_max, c.contacts, c.asleep, c.equations,
-            c.sweeps, c.interior_solutions, c.solutions_with_stale_factor, c.krylov_iterations,
-            c.solver_fallbacks, c.interior_point_solves, c.corner_solutions, c.unsettled_corners,
-            c.max_penetration, c.max_residual, c.largest_tolerance);
+            c.sweeps, c.interior_solutions, c.solver_fallbacks, c.interior_point_solves, c.corner_solutions,
+            c.unsettled_corners, c.max_penetration, c.max_residual, c.largest_tolerance);
 }
 
 template <class Archive, class SomeEquilibrium>

@@ -16,10 +16,9 @@ struct StepCounts {
   long linear_solves = 0, factorizations = 0;
   long interior_point_solves = 0;  ///< see find_interior_point_states
   long augmentations = 0;
-  long sweeps = 0;                                              ///< over the contacts, see ContactSweeps
-  long solutions_with_stale_factor = 0, krylov_iterations = 0;  ///< see TangentSolver
+  long sweeps = 0;               ///< over the contacts, see ContactSweeps
   long interior_solutions = 0;   ///< of contact_iterations, those of the interior-point method
-  long solver_fallbacks = 0;     ///< sweeps and solutions on older factors that did not converge
+  long solver_fallbacks = 0;     ///< sweeps that did not converge
   double largest_tolerance = 0;  ///< to which contacts were solved in any accepted substep
   long broken_bonds = 0;
   long impacts = 0;          ///< contacts that met with a speed that counts

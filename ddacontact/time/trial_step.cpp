@@ -257,9 +257,7 @@ void TrialStep::solve_by_contact_solver(const StepStart& start, BlockState& from
   counts_.augmentations += report.augmentations;
   counts_.sweeps += report.sweeps;
   counts_.interior_solutions += report.interior_solutions;
-  counts_.solutions_with_stale_factor += report.tangent.with_stale_factor;
-  counts_.krylov_iterations += report.tangent.iterations;
-  counts_.solver_fallbacks += report.tangent.fallbacks;
+  counts_.solver_fallbacks += report.sweep_fallbacks;
   solution.tolerance = report.tolerance;
   solution.residual = std::move(report.residual);
   solution.rejection =

@@ -68,8 +68,8 @@ if wants scenes; then
 fi
 if wants skips; then
   rm -f "$measured/skips.csv"
-  measure skips --without none unchanged_factor stale_factor cg skin congruent --warm 2 --steps 5 --no-cholmod
-  measure skips --starts settled --without none unchanged_factor stale_factor islands sleep islands+sleep \
+  measure skips --without none unchanged_factor cg skin congruent --warm 2 --steps 5 --no-cholmod
+  measure skips --starts settled --without none unchanged_factor islands sleep islands+sleep \
     --warm 5 --steps 5 --no-cholmod
   measure skips --time-steps 1e-4 --without none cg skin --warm 2 --steps 5 --no-cholmod
   measure skips --scenes rain --without none islands skin --warm 2 --steps 5 --no-cholmod

@@ -32,11 +32,10 @@ struct Cholesky::Factor {
   bool is_symmetric = true;   ///< the factor is L L^T
   int failed = -1;            ///< the column whose pivot did not serve
   SupernodalSolution solution_of_groups;
-  /// Entries in single precision: of the factor, rounded, or of a factor L L^T = S K S made so, S diagonal
-  /// such that S K S has ones on its diagonal.
-  LargeVector<float> rough, rough_upper;
-  VectorXd rough_scale;    ///< the diagonal of S; empty: rounded
-  bool has_rough = false;  ///< they are of the present matrix
+  /// Entries of L L^T = S K S in single precision, S diagonal such that S K S has ones on its diagonal; empty:
+  /// the last factor is in double precision.
+  LargeVector<float> rough;
+  VectorXd rough_scale;  ///< the diagonal of S
 
   Factor() {
     cholmod_start(&common);
@@ -47,15 +46,9 @@ struct Cholesky::Factor {
     cholmod_free_factor(&L, &common);
     cholmod_finish(&common);
   }
-  /// Of another matrix. The memory of a rounded copy serves the next one.
-  void outdate_rough() {
-    if (rough_scale.size() > 0) rough = {};
-    has_rough = false;
-  }
   void forget_rough() {
-    rough = rough_upper = {};
+    rough = {};
     rough_scale.resize(0);
-    has_rough = false;
   }
   Factor(const Factor&) = delete;
   Factor& operator=(const Factor&) = delete;
@@ -82,9 +75,8 @@ struct Cholesky::Factor {
 
 namespace {
 
-/// Operations an entry of L, from which on a copy in single precision, and a factor made so, gain more than
-/// they take.
-constexpr double some_work = 55, much_work = 100;
+/// Operations an entry of L, from which on a factor in single precision takes less time.
+constexpr double much_work = 100;
 /// Operations of a factor, for which BLAS gains nothing that its buffer of 128 MB would be worth.
 constexpr double few_operations = 1e6;
 
@@ -194,7 +186,7 @@ bool Cholesky::factorize(const SparseMatrix& lower, const VectorXd* more_above) 
   Factor& f = *factor_;
   assert(f.is_analyzed && static_cast<Index>(f.L->n) == lower.rows() &&
          std::ssize(f.place) == lower.nonZeros());
-  f.outdate_rough();
+  f.forget_rough();
   f.failed = -1;
   f.is_symmetric = !more_above;
   const auto clear = [&](LargeVector<double>& entries) {
@@ -242,6 +234,7 @@ bool Cholesky::factorize_roughly(const SparseMatrix& lower) {
   const VectorXd diagonal = lower.diagonal();
   if (!(diagonal.array() > 0).all()) return false;
   f.rough_scale = diagonal.cwiseSqrt().cwiseInverse();
+  bool is_made = false;
   try {
     f.rough = LargeVector<float>(f.tree->n_entries());
     LargeVector<float> waiting(most_waiting);
@@ -252,16 +245,16 @@ bool Cholesky::factorize_roughly(const SparseMatrix& lower) {
     // A pivot that has lost half of the digits: K may be ill-conditioned, or not positive definite at all.
     const float least = std::sqrt(std::numeric_limits<float>::epsilon());
     Fronts<float> fronts(*f.tree, f.rough.data(), f.rough.data(), waiting, true);
-    f.has_rough = eliminate(*f.tree, fronts, least) < 0;
+    is_made = eliminate(*f.tree, fronts, least) < 0;
   } catch (const std::bad_alloc&) {
     f.common.status = CHOLMOD_OUT_OF_MEMORY;
     f.check("factorize", lower.rows());
   }
-  if (f.has_rough)
+  if (is_made)
     ++work_.n_factorizations;
   else
     f.forget_rough();
-  return f.has_rough;
+  return is_made;
 }
 
 void Cholesky::solve(const VectorXd& b, VectorXd& x) {
@@ -275,23 +268,10 @@ void Cholesky::solve(const VectorXd& b, VectorXd& x) {
 
 void Cholesky::solve_roughly(const VectorXd& b, VectorXd& x) {
   Factor& f = *factor_;
-  if (b.size() == 0 || (!f.has_rough && f.common.fl < some_work * f.common.lnz)) {
-    solve(b, x);
-    return;
-  }
+  assert(!f.rough.empty() && b.size() == f.rough_scale.size());
   ++work_.n_solves;
   const Stopwatch watch(work_.solution);
-  if (!f.has_rough) {
-    f.rough_scale.resize(0);
-    f.rough.assign(f.entries.begin(), f.entries.end());
-    if (!f.is_symmetric) f.rough_upper.assign(f.upper.begin(), f.upper.end());
-    f.has_rough = true;
-  }
-  if (f.rough_scale.size() == 0) {
-    f.solution_of_groups.solve(*f.tree, f.rough, f.is_symmetric ? f.rough : f.rough_upper, b, x);
-    return;
-  }
-  f.solution_of_groups.solve(*f.tree, f.rough, f.rough, b.cwiseProduct(f.rough_scale), x);
+  f.solution_of_groups.solve(*f.tree, f.rough, b.cwiseProduct(f.rough_scale), x);
   x.array() *= f.rough_scale.array();
 }
 
@@ -307,8 +287,7 @@ double Cholesky::memory() const {
   const Factor& f = *factor_;
   return static_cast<double>(f.common.memory_inuse) + f.solution_of_groups.memory() +
          (f.tree ? f.tree->memory() : 0) +
-         static_cast<double>(sizeof(int) * f.place.capacity() +
-                             sizeof(float) * (f.rough.capacity() + f.rough_upper.capacity()) +
+         static_cast<double>(sizeof(int) * f.place.capacity() + sizeof(float) * f.rough.capacity() +
                              sizeof(double) *
                                  (f.entries.capacity() + f.upper.capacity() + f.waiting.capacity() +
                                   static_cast<std::size_t>(f.rough_scale.size())));

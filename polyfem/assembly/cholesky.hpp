@@ -67,8 +67,7 @@ class Cholesky {
   [[nodiscard]] bool factorize_roughly(const SparseMatrix& lower);
   /// x = K^-1 b with the last factor.
   void solve(const VectorXd& b, VectorXd& x);
-  /// The same in single precision where that gains time: of large factors half as much is read, of the rough
-  /// factor or of a copy that the first such solution makes.
+  /// x = K^-1 b with the factor of `factorize_roughly`, which must be the last one, in single precision.
   void solve_roughly(const VectorXd& b, VectorXd& x);
 
   /// The row whose pivot did not serve in the last factorization; -1 when all did.

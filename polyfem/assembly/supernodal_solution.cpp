@@ -221,10 +221,10 @@ void SupernodalSolution::solve(const FrontTree& tree, const LargeVector<double>&
   solve(tree, lower.data(), upper.data(), b, work_, x);
 }
 
-void SupernodalSolution::solve(const FrontTree& tree, const LargeVector<float>& lower,
-                               const LargeVector<float>& upper, const VectorXd& b, VectorXd& x) {
+void SupernodalSolution::solve(const FrontTree& tree, const LargeVector<float>& lower, const VectorXd& b,
+                               VectorXd& x) {
   const double largest = b.lpNorm<Eigen::Infinity>(), scale = largest > 0 ? largest : 1;
-  solve(tree, lower.data(), upper.data(), b / scale, rough_work_, x);
+  solve(tree, lower.data(), lower.data(), b / scale, rough_work_, x);
   x *= scale;
 }
 

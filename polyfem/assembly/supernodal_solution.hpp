@@ -22,9 +22,8 @@ class SupernodalSolution {
   /// \param[in] lower, upper  entries of L and U^T, see Fronts; the same ones where U = L^T
   void solve(const FrontTree& tree, const LargeVector<double>& lower, const LargeVector<double>& upper,
              const VectorXd& b, VectorXd& x);
-  /// The same in single precision.
-  void solve(const FrontTree& tree, const LargeVector<float>& lower, const LargeVector<float>& upper,
-             const VectorXd& b, VectorXd& x);
+  /// x = (L L^T)^-1 b in single precision.
+  void solve(const FrontTree& tree, const LargeVector<float>& lower, const VectorXd& b, VectorXd& x);
 
   /// Bytes that it holds.
   double memory() const;

@@ -88,7 +88,7 @@ TEST(RoundTrip, StatesEveryDefault) {
                            "damping = { mass = 0.0, stiffness = 0.0 }",
                            "dashpot = 0.0",
                            "skip = { friction_rows = true, fixed_blocks = true, unchanged_factor = true, "
-                           "congruent = true, output = true, stale_factor = true, cg = true, islands = true, "
+                           "congruent = true, output = true, cg = true, islands = true, "
                            "sleep = true, skin = true }"})
     EXPECT_NE(text.find(std::string(line) + '\n'), std::string::npos) << line << " in\n" << text;
   EXPECT_EQ(text.find("beta ="), std::string::npos) << "a key of another scheme is no default";
@@ -119,9 +119,9 @@ TEST(RoundTrip, KeepsTheMechanics) {
 }
 
 TEST(RoundTrip, KeepsTheSkips) {
-  const std::vector<std::string> off{
-      "friction_rows", "fixed_blocks", "unchanged_factor", "congruent", "output",
-      "stale_factor",  "cg",           "islands",          "sleep",     "skin"};
+  const std::vector<std::string> off{"friction_rows", "fixed_blocks", "unchanged_factor",
+                                     "congruent",     "output",       "cg",
+                                     "islands",       "sleep",        "skin"};
   for (const std::string& skip : off) {
     const Scene scene = scene_of(in_stages, {"solver.skip." + skip + "=false"});
     EXPECT_NE(scene.analysis.skip, ddacontact::Skips{}) << skip;

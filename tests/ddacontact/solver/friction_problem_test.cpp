@@ -335,7 +335,7 @@ TEST(FrictionProblem, OrdersLargeEquationsAnewWhereManyFactorsAreToCome) {
     }
     const std::vector<unsigned char> all(chain.size(), 3);
     const VectorXd b = VectorXd::LinSpaced(n, -1, 1);
-    VectorXd before, after, rough;
+    VectorXd before, after;
     ASSERT_TRUE(problem.factorize(chain, all));
     problem.solve(b, before);
     problem.order_for_many(chain);
@@ -344,8 +344,6 @@ TEST(FrictionProblem, OrdersLargeEquationsAnewWhereManyFactorsAreToCome) {
     ASSERT_TRUE(problem.factorize(chain, all));
     problem.solve(b, after);
     EXPECT_LT((after - before).norm(), 1e-13 * before.norm()) << n_blocks;
-    problem.solve_roughly(b, rough);
-    EXPECT_LT((rough - before).norm(), 1e-5 * before.norm()) << n_blocks;
     problem.contacts_changed();
     ASSERT_TRUE(problem.factorize(chain, all));
     problem.solve(b, after);

@@ -81,5 +81,5 @@ TEST(SweptStep, LeavesStepsThatAreNotLocalUnlessManyContactsChange) {
   const VectorXd before = blocks.d;
   EXPECT_FALSE(blocks.solve());
   EXPECT_EQ(blocks.d, before);
-  EXPECT_EQ(blocks.report.tangent.fallbacks, 0);
+  EXPECT_EQ(blocks.report.sweep_fallbacks, 0);
 }
