@@ -124,7 +124,7 @@ void BlockSystem::number_equations() {
   unchanging_.assign(n_blocks(), true);
   std::vector<bool> moved(n_unknowns_, true);
   for (const PrescribedDof& h : prescribed_dofs_)
-    moved[h.unknown] = h.motion.is_history() || !h.motion.value.isZero(0);
+    moved[h.unknown] = h.moves();
   for (int b = 0; b < n_blocks(); ++b) {
     const Range& u = block(b).unknowns();
     if (!present_[b] || resting_[b]) {

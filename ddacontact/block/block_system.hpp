@@ -63,6 +63,8 @@ struct PrescribedDof {
   int vertex = 0;       ///< in the arrays of the state
   int axis = 0;         ///< 0: x, 1: y
   TimeFunction motion;  ///< total displacement since the start, or since its block came in, m
+
+  bool moves() const { return motion.is_history() || !motion.value.isZero(0); }
 };
 
 /// A vertex of a six-unknown block held as Shi does it: by stiff springs to where it should be.

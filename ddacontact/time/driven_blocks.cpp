@@ -20,21 +20,25 @@ double depth(const BlockSystem& blocks, const BlockState& state, int a, int b) {
 
 std::optional<Pair> find_driven_overlap(const BlockSystem& blocks, const BlockState& end,
                                         const std::function<bool(const Pair&)>& gives_way) {
-  std::vector<int> fully_prescribed;
+  std::vector<bool> is_driven(static_cast<std::size_t>(blocks.n_blocks()), false);
+  for (const PrescribedDof& held : blocks.prescribed_dofs())
+    if (held.moves()) is_driven[blocks.block_of_point(held.vertex)] = true;
+  if (std::ranges::count(is_driven, true) == 0) return {};
+  std::vector<int> held;
   for (int b = 0; b < blocks.n_blocks(); ++b)
-    if (blocks.is_present(b) && !blocks.is_movable(b)) fully_prescribed.push_back(b);
-  for (int a : fully_prescribed) {
-    if (blocks.is_unchanging(a)) continue;
-    const Box box = bounding_box(blocks.outline_from(end, a, a));
-    for (int b : fully_prescribed) {
-      const bool seen = b <= a && !blocks.is_unchanging(b);
-      if (seen || !touch(box, bounding_box(blocks.outline_from(end, b, a)))) continue;
-      const double limit = coincidence * std::min(blocks.block(a).size(), blocks.block(b).size()),
-                   now = depth(blocks, end, a, b);
-      if (now > limit && now > std::max(0.0, depth(blocks, blocks.drawn(), a, b)) + limit &&
-          !gives_way({std::min(a, b), std::max(a, b)}))
-        return Pair{a, b};
-    }
+    if (blocks.is_present(b) && !blocks.is_free(b)) held.push_back(b);
+  std::vector<Box> boxes;
+  for (int b : held) boxes.push_back(bounding_box(blocks.outline_from(end, b, held.front())));
+  for (const auto& [p, q] : overlapping_pairs(boxes)) {
+    const int a = held[p], b = held[q];
+    if (!is_driven[a] && !is_driven[b]) continue;
+    // What is held in part has contacts where it can give way, which press in by what they may.
+    const double part = blocks.is_movable(a) || blocks.is_movable(b) ? deepest_overlap : coincidence,
+                 limit = part * std::min(blocks.block(a).size(), blocks.block(b).size()),
+                 now = depth(blocks, end, a, b);
+    if (now > limit && now > std::max(0.0, depth(blocks, blocks.drawn(), a, b)) + limit &&
+        !gives_way({std::min(a, b), std::max(a, b)}))
+      return Pair{a, b};
   }
   return {};
 }

@@ -191,8 +191,9 @@ Stepper::Trial Stepper::make_trial(double dt) {
   rejection_ = end.rejection;
   if (!rejection_.empty()) return Trial::rejected;
   const auto gives_way = [&](const Pair& pair) {
-    return std::ranges::any_of(of_pair(pair, trial_.contacts()),
-                               [&](const Contact& of) { return properties_.is_compliant(of); });
+    return std::ranges::any_of(of_pair(pair, trial_.contacts()), [&](const Contact& of) {
+      return !properties_.has_multipliers() || properties_.is_compliant(of);
+    });
   };
   if (const std::optional<Pair> overlap = find_driven_overlap(blocks_, end.state, gives_way)) {
     rejection_ = "supports drive blocks " + quoted(blocks_.names[(*overlap)[0]]) + " and " +

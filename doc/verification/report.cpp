@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 #include <polyfem/core/error.hpp>
 
+#include <algorithm>
 #include <fstream>
 
 namespace verification {
@@ -17,10 +18,18 @@ void write_file(const std::filesystem::path& path, const std::string& text) {
   if (!file) throw polyfem::Error("cannot write \"" + path.string() + "\"");
 }
 
+/// What fmt prints of NaN: no comparison with it fails that asks for the larger of two.
+bool is_nan(const std::string& cell) {
+  return cell == "nan" || cell == "-nan";
+}
+
 }  // namespace
 
 void Report::table(const std::vector<std::vector<std::string>>& rows) {
   for (std::size_t r = 0; r < rows.size(); ++r) {
+    if (std::ranges::any_of(rows[r], is_nan))
+      throw polyfem::Error(
+          fmt::format("a table with a figure that is no number: {}", fmt::join(rows[r], ", ")));
     text_ += fmt::format("| {} |\n", fmt::join(rows[r], " | "));
     for (std::size_t column = 0; r == 0 && column < rows[r].size(); ++column) text_ += "|---";
     if (r == 0) text_ += "|\n";

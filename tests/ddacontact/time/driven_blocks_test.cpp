@@ -85,3 +85,22 @@ TEST(DrivenBlocks, ABlockHeldInPartThatHasNoRoomHasItsSupportsNamed) {
   const std::string reason = reason_to_stop(scene);
   EXPECT_NE(reason.find("do supports in motion leave room?"), std::string::npos) << reason;
 }
+
+/// Held along x alone, or at the faces that meet alone, blocks have unknowns, but none that would part them.
+TEST(DrivenBlocks, BlocksHeldInPartThatNothingCanPartStopTheRunAndAreNamed) {
+  for (const bool along_x : {true, false})
+    for (const double gap : {0., 0.01}) {
+      Scene scene = driven(gap, {0.1, 0}, {-0.1, 0});
+      scene.analysis.gravity.setZero();
+      for (Support& support : scene.supports) support.fix_y = !along_x;
+      if (!along_x) {
+        scene.supports[0].vertices = {1, 2};
+        scene.supports[1].vertices = {0, 3};
+      }
+      const std::string reason = reason_to_stop(scene);
+      EXPECT_NE(reason.find("supports drive blocks \"0\" and \"1\" into each other"), std::string::npos)
+          << reason;
+      for (Support& support : scene.supports) support.displacement.value *= -1;
+      EXPECT_EQ(reason_to_stop(scene), "") << "apart";
+    }
+}
