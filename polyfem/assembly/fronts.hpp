@@ -40,8 +40,8 @@ class Fronts {
   const FrontTree& tree_;
   Real *L_, *Ut_;
   LargeVector<Real>& waiting_;  ///< a stack of squares; of symmetric ones the lower triangles count
-  int few_columns_;             ///< of those that are not
-  std::vector<int> groups_;     ///< on the stack
+  bool by_blas_;
+  std::vector<int> groups_;  ///< on the stack
   std::ptrdiff_t top_ = 0;
 };
 

@@ -21,11 +21,14 @@ class PlainEdge {
   Lanes area(const LaneVector& x) const { return cross(from_ - x, direction_); }
   const LaneVector& from() const { return from_; }
   const LaneVector& direction() const { return direction_; }
-  friend Lanes cross(const PlainEdge& a, const PlainEdge& b) { return cross(a.direction_, b.direction_); }
 
  private:
   LaneVector from_, direction_;
 };
+
+inline Lanes cross(const PlainEdge& a, const PlainEdge& b) {
+  return cross(a.direction(), b.direction());
+}
 
 /// A number as `high`, of 26 bits, and `low`, what is missing to all of its 53 bits and those rounded off.
 struct Split {
@@ -79,13 +82,15 @@ class PreciseEdge {
   }
   const LaneVector& from() const { return from_; }
   const LaneVector& direction() const { return direction_; }
-  friend Lanes cross(const PreciseEdge& a, const PreciseEdge& b) {
-    return cross(a.split_direction_, b.split_direction_);
-  }
+  const SplitVector& split_direction() const { return split_direction_; }
 
  private:
   LaneVector from_, to_, direction_;
   SplitVector split_direction_;
 };
+
+inline Lanes cross(const PreciseEdge& a, const PreciseEdge& b) {
+  return cross(a.split_direction(), b.split_direction());
+}
 
 }  // namespace polyfem

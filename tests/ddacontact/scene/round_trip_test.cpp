@@ -118,6 +118,11 @@ TEST(RoundTrip, KeepsTheMechanics) {
   }
 }
 
+/// As results of earlier versions have it.
+TEST(RoundTrip, ReadsASkipThatThereIsNoMore) {
+  EXPECT_EQ(scene_of(in_stages, {"solver.skip.stale_factor=true"}).analysis.skip, ddacontact::Skips{});
+}
+
 TEST(RoundTrip, KeepsTheSkips) {
   const std::vector<std::string> off{"friction_rows", "fixed_blocks", "unchanged_factor",
                                      "congruent",     "output",       "cg",
