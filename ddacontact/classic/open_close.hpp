@@ -1,7 +1,7 @@
 /// \file Open-close iteration: contact states that agree with the displacements they lead to.
 #pragma once
 
-#include <ddacontact/solver/step_system.hpp>
+#include <ddacontact/equations/step_system.hpp>
 
 #include <vector>
 

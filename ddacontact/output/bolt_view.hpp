@@ -2,7 +2,7 @@
 #pragma once
 
 #include <ddacontact/block/block_system.hpp>
-#include <ddacontact/solver/bolt_law.hpp>
+#include <ddacontact/equations/bolt_law.hpp>
 
 namespace ddacontact {
 

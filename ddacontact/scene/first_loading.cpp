@@ -1,6 +1,6 @@
 #include <ddacontact/scene/first_loading.hpp>
 
-#include <ddacontact/solver/step_system.hpp>
+#include <ddacontact/equations/step_system.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -36,7 +36,7 @@ constexpr double least_raised = 0.01;
 
 }  // namespace
 
-AugmentedContacts::AugmentedContacts(const StepSystem& system, const ContactSolverOptions& options,
+AugmentedContacts::AugmentedContacts(const StepProblem& system, const ContactSolverOptions& options,
                                      std::vector<Contact>& contacts)
     : system_(system),
       options_(options),
@@ -60,16 +60,8 @@ void AugmentedContacts::begin(Contact& contact, Multiplier& multiplier) const {
   contact.was_closed = contact.closed();
   if (law.compliant) return begin_compliant(contact, multiplier);
   if (options_.penetration_tolerance == 0) return;
-  const VertexEdgePositions& place = contact.motion.start;
-  const Vec2 along = place.along(), normal = place.outwards();
-  const auto [vertex_block, vertex, edge_block, edge, corner] = contact.pair;
-  const int next = (edge + 1) % system_.blocks().block(edge_block).n_vertices();
-  const double t = std::clamp((place.i - place.j).dot(along) / contact.edge_length(), 0.0, 1.0);
-  const double of_vertex = system_.vertex_stiffness(vertex_block, vertex, normal),
-               of_edge = 1 / ((1 - t) * (1 - t) / system_.vertex_stiffness(edge_block, edge, normal) +
-                              t * t / system_.vertex_stiffness(edge_block, next, normal));
   const double ratio = law.tangential_stiffness / law.normal_stiffness,
-               lower_stiffness = std::min(of_vertex, of_edge);
+               lower_stiffness = system_.contact_stiffness(contact);
   if (leaves_gaps()) law.normal_stiffness /= corrected_part;
   if (std::isfinite(lower_stiffness))
     law.normal_stiffness = std::clamp(law.normal_stiffness, least_stiffness_ratio * lower_stiffness,

@@ -5,7 +5,7 @@
 
 #include <ddacontact/solver/contact_solver.hpp>
 #include <ddacontact/solver/spring_state.hpp>
-#include <ddacontact/solver/step_system.hpp>
+#include <ddacontact/solver/step_problem.hpp>
 #include <ddacontact/solver/swept_law.hpp>
 
 #include <vector>
@@ -24,7 +24,7 @@ struct Multiplier {
 /// that it gives them.
 class AugmentedContacts {
  public:
-  AugmentedContacts(const StepSystem& system, const ContactSolverOptions& options,
+  AugmentedContacts(const StepProblem& system, const ContactSolverOptions& options,
                     std::vector<Contact>& contacts);
 
   /// Stiffnesses and multipliers at the start of the step.
@@ -92,7 +92,7 @@ class AugmentedContacts {
     return law.tangential_stiffness * (law.compliant && has_means() ? 1. / 2 : 1);
   }
   /// Schemes that damp nothing.
-  bool leaves_gaps() const { return has_means() || system_.rule().is_explicit(); }
+  bool leaves_gaps() const { return has_means() || system_.is_explicit(); }
   double kept(double length, int halvings, double size) const;
   bool yields(std::size_t c, const VectorXd& d) const;
   bool is_sliding(std::size_t c) const { return law_states_[c] & (at_upper | at_lower); }
@@ -101,7 +101,7 @@ class AugmentedContacts {
     return multipliers_[c].gap + terms_[c].gap.change(d);
   }
 
-  const StepSystem& system_;
+  const StepProblem& system_;
   const ContactSolverOptions& options_;
   std::vector<Contact>& contacts_;
   std::vector<Multiplier> multipliers_;

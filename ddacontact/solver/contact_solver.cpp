@@ -37,7 +37,7 @@ constexpr int patience = 4, most_in_vain = 12, changes_until_accepted = patience
 constexpr double round_off_target = 0.05;
 
 struct ContactSolver {
-  StepSystem& system;
+  StepProblem& system;
   const ContactSolverOptions& options;
   AugmentedContacts contacts;
   VectorXd& d;
@@ -329,7 +329,7 @@ struct ContactSolver {
 
 }  // namespace
 
-ContactSolverReport solve_contacts(StepSystem& system, const ContactSolverOptions& options,
+ContactSolverReport solve_contacts(StepProblem& system, const ContactSolverOptions& options,
                                    std::vector<Contact>& contacts, VectorXd& d) {
   return ContactSolver{system, options, {system, options, contacts}, d}.solve();
 }

@@ -2,7 +2,9 @@
 /// an interior-point method or sweeps. A step is solved to its residual, or reported as not solved.
 #pragma once
 
-#include <ddacontact/solver/step_system.hpp>
+#include <ddacontact/core/directions.hpp>
+#include <ddacontact/core/skips.hpp>
+#include <ddacontact/solver/step_problem.hpp>
 
 #include <algorithm>
 #include <optional>
@@ -77,7 +79,7 @@ struct ContactSolverReport {
 /// solve the step. In all other steps, and where sweeps do not converge, an active-set iteration finds the
 /// states. If it cycles, the interior-point method finds them (find_interior_point_states), and the
 /// active-set iteration finishes from there.
-ContactSolverReport solve_contacts(StepSystem& system, const ContactSolverOptions& options,
+ContactSolverReport solve_contacts(StepProblem& system, const ContactSolverOptions& options,
                                    std::vector<Contact>& contacts, VectorXd& d);
 
 }  // namespace ddacontact

@@ -35,7 +35,7 @@ constexpr int most_corrections = 4;
 constexpr int most_path_starts = 5, most_path_solutions = 600;
 /// See find_interior_point_states.
 struct InteriorPoint : EvaluatedContacts {
-  StepSystem& system;
+  StepProblem& system;
   VectorXd& d;
   std::vector<InteriorContact> inside{terms.size()};
   std::vector<ContactForce> forces{terms.size()};
@@ -334,7 +334,7 @@ struct InteriorPoint : EvaluatedContacts {
 
 }  // namespace
 
-InteriorReport find_interior_point_states(StepSystem& system, const EvaluatedContacts& contacts, VectorXd& d,
+InteriorReport find_interior_point_states(StepProblem& system, const EvaluatedContacts& contacts, VectorXd& d,
                                           std::vector<unsigned char>& states) {
   InteriorPoint point{contacts, system, d};
   const InteriorReport report = point.solve();

@@ -1,7 +1,7 @@
 /// \file The interior-point method for the contacts of a step with many active-set changes.
 #pragma once
 
-#include <ddacontact/solver/step_system.hpp>
+#include <ddacontact/solver/step_problem.hpp>
 #include <ddacontact/solver/swept_law.hpp>
 
 #include <functional>
@@ -33,9 +33,9 @@ struct EvaluatedContacts {
 /// by arc length (Keller 1977), in some hundred solutions or more: it has folds where the problem has several
 /// solutions, and mu rises for a while.
 ///
-/// \param[in,out] d   where to start; then the last displacements. Blocks move as by StepSystem::move
+/// \param[in,out] d   where to start; then the last displacements. Blocks move as by StepProblem::move
 /// \param[out] states of the springs, see spring_state.hpp
-InteriorReport find_interior_point_states(StepSystem& system, const EvaluatedContacts& contacts, VectorXd& d,
+InteriorReport find_interior_point_states(StepProblem& system, const EvaluatedContacts& contacts, VectorXd& d,
                                           std::vector<unsigned char>& states);
 
 }  // namespace ddacontact

@@ -18,23 +18,14 @@ constexpr int few_changes = 10;
 constexpr double coarse_penetration = 10;
 
 /// Whether gaps follow their gradients of the start on the last part of the way to d, `change`, as far as
-/// forces can tell, and held points stay where they are: a block that has turned on its way leads its points
-/// off by no more than its way over its size.
-bool stays_straight(const StepSystem& system, const AugmentedContacts& contacts, const VectorXd& d,
+/// forces can tell, and held points stay where they are.
+bool stays_straight(const StepProblem& system, const AugmentedContacts& contacts, const VectorXd& d,
                     const VectorXd& change, const std::vector<SweptLaw>& laws, double tolerance) {
-  const BlockSystem& blocks = system.blocks();
-  std::vector<double> bends(static_cast<std::size_t>(blocks.n_blocks()));
-  for (int b = 0; b < blocks.n_blocks(); ++b) {
-    const double last = system.largest_motion(b, change);
-    bends[b] = last * (system.largest_motion(b, d) + last) / system.size_of(b);
-  }
-  for (const PrescribedDof& held : blocks.prescribed_dofs())
-    if (const int b = blocks.block_of_point(held.vertex);
-        blocks.is_movable(b) && bends[b] > few_ulps * system.size_of(b))
-      return false;
+  const std::optional<std::vector<double>> bends = system.bends(d, change);
+  if (!bends) return false;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const VertexEdge& pair = contacts.contacts()[c].pair;
-    const double bend = bends[pair.vertex_block] + bends[pair.edge_block];
+    const double bend = (*bends)[pair.vertex_block] + (*bends)[pair.edge_block];
     if (contacts.terms()[c].normal_stiffness * bend > tolerance * laws[c].scale) return false;
   }
   return true;
@@ -42,7 +33,7 @@ bool stays_straight(const StepSystem& system, const AugmentedContacts& contacts,
 
 }  // namespace
 
-bool solve_by_sweeps(StepSystem& system, const ContactSolverOptions& options, AugmentedContacts& contacts,
+bool solve_by_sweeps(StepProblem& system, const ContactSolverOptions& options, AugmentedContacts& contacts,
                      VectorXd& d, ContactSolverReport& report) {
   std::vector<ContactForce>& forces = contacts.forces();
   contacts.take_first_forces();

@@ -10,7 +10,7 @@ namespace ddacontact {
 /// \param[in,out] d         the initial iterate, then the solution
 /// \param[in,out] report    sweeps, augmentations, tolerance and residual
 /// \return false: the active-set iteration has to solve the step, in quiet steps from the d before
-bool solve_by_sweeps(StepSystem& system, const ContactSolverOptions& options, AugmentedContacts& contacts,
+bool solve_by_sweeps(StepProblem& system, const ContactSolverOptions& options, AugmentedContacts& contacts,
                      VectorXd& d, ContactSolverReport& report);
 
 }  // namespace ddacontact

@@ -1,7 +1,7 @@
 #include <ddacontact/time/energy_accounts.hpp>
 
 #include <ddacontact/core/for_all.hpp>
-#include <ddacontact/solver/bolt_law.hpp>
+#include <ddacontact/equations/bolt_law.hpp>
 #include <ddacontact/time/joint_springs.hpp>
 
 #include <cassert>

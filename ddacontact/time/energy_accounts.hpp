@@ -2,7 +2,7 @@
 #pragma once
 
 #include <ddacontact/contact/contact_builder.hpp>
-#include <ddacontact/solver/step_system.hpp>
+#include <ddacontact/equations/step_system.hpp>
 #include <ddacontact/time/energy_ledger.hpp>
 #include <ddacontact/time/trial_step.hpp>
 

@@ -3,7 +3,7 @@
 
 #include <ddacontact/contact/contact.hpp>
 #include <ddacontact/core/rest_criterion.hpp>
-#include <ddacontact/solver/step_system.hpp>
+#include <ddacontact/equations/step_system.hpp>
 
 #include <vector>
 

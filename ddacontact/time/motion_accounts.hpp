@@ -2,7 +2,7 @@
 #pragma once
 
 #include <ddacontact/contact/contact.hpp>
-#include <ddacontact/solver/step_system.hpp>
+#include <ddacontact/equations/step_system.hpp>
 #include <ddacontact/time/energy_ledger.hpp>
 
 #include <vector>

@@ -1,7 +1,7 @@
 // Where a stepper begins and where it is among its stages, and going on from there.
 #include <ddacontact/contact/contacts_by_pair.hpp>
 #include <ddacontact/core/quoted.hpp>
-#include <ddacontact/solver/bolt_law.hpp>
+#include <ddacontact/equations/bolt_law.hpp>
 #include <ddacontact/time/driven_blocks.hpp>
 #include <ddacontact/time/energy_accounts.hpp>
 #include <ddacontact/time/stepper.hpp>

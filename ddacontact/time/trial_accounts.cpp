@@ -1,6 +1,6 @@
 #include <ddacontact/time/trial_accounts.hpp>
 
-#include <ddacontact/solver/bolt_law.hpp>
+#include <ddacontact/equations/bolt_law.hpp>
 #include <ddacontact/time/energy_accounts.hpp>
 #include <ddacontact/time/motion_accounts.hpp>
 

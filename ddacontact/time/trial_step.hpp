@@ -5,7 +5,7 @@
 #include <ddacontact/contact/contact_builder.hpp>
 #include <ddacontact/core/options.hpp>
 #include <ddacontact/solver/contact_solver.hpp>
-#include <ddacontact/solver/islands_apart.hpp>
+#include <ddacontact/equations/islands_apart.hpp>
 #include <ddacontact/time/impacts.hpp>
 #include <ddacontact/time/step_counts.hpp>
 #include <ddacontact/time/step_from.hpp>

@@ -26,6 +26,7 @@ class PlainEdge {
   LaneVector from_, direction_;
 };
 
+/// Of the directions of both.
 inline Lanes cross(const PlainEdge& a, const PlainEdge& b) {
   return cross(a.direction(), b.direction());
 }
@@ -89,6 +90,7 @@ class PreciseEdge {
   SplitVector split_direction_;
 };
 
+/// Of the directions of both, without cancellation.
 inline Lanes cross(const PreciseEdge& a, const PreciseEdge& b) {
   return cross(a.split_direction(), b.split_direction());
 }

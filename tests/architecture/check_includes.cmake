@@ -3,7 +3,7 @@
 # Folders of a library include themselves and what stands before them; polyfem knows nothing of ddacontact, the
 # libraries nothing of apps, and each third-party library has its place.
 set(polyfem_folders core geometry quadrature basis material element mesh assembly io dealii testing)
-set(ddacontact_folders core block detection contact solver classic time domain output picture page scene study)
+set(ddacontact_folders core block detection contact solver equations classic time domain output picture page scene study)
 
 # What may include it, as a pattern of paths, for each third-party header.
 set(third_party
@@ -46,6 +46,9 @@ foreach(file IN LISTS files)
         list(FIND ${from}_folders "${from_folder}" from_rank)
         if(from_rank EQUAL -1 OR from_rank GREATER rank)
           list(APPEND violations "${file}: includes upward, <${header}>")
+        endif()
+        if(folder STREQUAL solver AND from_folder STREQUAL block)
+          list(APPEND violations "${file}: solvers see a contact problem and no blocks, <${header}>")
         endif()
       elseif(library STREQUAL polyfem OR (library STREQUAL ddacontact AND from STREQUAL apps))
         list(APPEND violations "${file}: ${library} must not know of <${header}>")

@@ -9,7 +9,7 @@ import pathlib
 import re
 import sys
 
-FOLDERS = ("block", "classic", "contact", "detection", "solver", "time")
+FOLDERS = ("block", "classic", "contact", "detection", "equations", "solver", "time")
 MOST_LINES = 12724
 MOST_NUMBERS = 120
 

@@ -31,7 +31,7 @@ default_files = [
     "ddacontact/solver/contact_solver.cpp",
     "ddacontact/solver/contact_sweeps.cpp",
     "ddacontact/solver/interior_point.cpp",
-    "ddacontact/solver/bolt_law.cpp",
+    "ddacontact/equations/bolt_law.cpp",
     "ddacontact/solver/augmented_contacts.cpp",
     "ddacontact/solver/line_search.cpp",
     "ddacontact/solver/swept_step.cpp",

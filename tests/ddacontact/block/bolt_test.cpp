@@ -1,5 +1,5 @@
 #include <ddacontact/block/bolt.hpp>
-#include <ddacontact/solver/bolt_law.hpp>
+#include <ddacontact/equations/bolt_law.hpp>
 #include <tests/ddacontact/simple_scenes.hpp>
 
 #include <gtest/gtest.h>

@@ -70,7 +70,7 @@ TYPED_TEST(DenseProduct, IsRoundedAsByPlainLoopsToTheBit) {
         }
 }
 
-/// Of A A^T the lower triangle alone is asked for.
+/// Of A A^T the lower triangle alone counts.
 TYPED_TEST(DenseProduct, ByBlasAgreesToRoundOff) {
   for (const bool is_square : {true, false}) {
     const int n_rows = 60, n_columns = 20, n_terms = 12;

@@ -1,4 +1,4 @@
-#include <ddacontact/solver/step_bolt.hpp>
+#include <ddacontact/equations/step_bolt.hpp>
 #include <tests/ddacontact/simple_scenes.hpp>
 
 #include <gtest/gtest.h>

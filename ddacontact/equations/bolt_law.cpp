@@ -1,4 +1,4 @@
-#include <ddacontact/solver/bolt_law.hpp>
+#include <ddacontact/equations/bolt_law.hpp>
 
 #include <ddacontact/block/block_system.hpp>
 #include <ddacontact/solver/line_search.hpp>

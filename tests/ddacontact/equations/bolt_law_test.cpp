@@ -1,7 +1,7 @@
 // Forces of bolts as derivatives of what they store, and their stiffness as the derivative of the forces.
 #include <tests/ddacontact/simple_scenes.hpp>
 
-#include <ddacontact/solver/step_bolt.hpp>
+#include <ddacontact/equations/step_bolt.hpp>
 
 #include <random>
 

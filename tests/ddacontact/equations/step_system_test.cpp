@@ -1,5 +1,5 @@
 #include <ddacontact/classic/incremental_block.hpp>
-#include <ddacontact/solver/step_system.hpp>
+#include <ddacontact/equations/step_system.hpp>
 #include <tests/ddacontact/simple_scenes.hpp>
 #include <tests/support/block_tangent.hpp>
 

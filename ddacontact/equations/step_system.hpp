@@ -3,42 +3,17 @@
 
 #include <ddacontact/block/block_system.hpp>
 #include <ddacontact/contact/contact.hpp>
-#include <ddacontact/solver/friction_problem.hpp>
-#include <ddacontact/solver/quiet_face.hpp>
-#include <ddacontact/solver/step_bolt.hpp>
+#include <ddacontact/equations/quiet_face.hpp>
+#include <ddacontact/equations/step_bolt.hpp>
+#include <ddacontact/solver/step_problem.hpp>
 
+#include <optional>
 #include <vector>
 
 namespace ddacontact {
 
-/// Residual of the balance of forces: r = internal and inertial forces - external and contact forces.
-struct Residual {
-  VectorXd force;             ///< r of every unknown; at a prescribed one it is the reaction
-  VectorXd external;          ///< on every unknown: loads, gravity, contacts, springs at fixed points
-  double largest = 0;         ///< over the free unknowns, forces (moments over the block's size), N per m
-  double scale = 0;           ///< the largest sum over a block of the magnitudes of the forces on it, N per m
-  double round_off = 0;       ///< bound of the round-off in r, N per m
-  double block_relative = 0;  ///< the largest part of the forces on a block that is left: its sum over the
-                              ///< free unknowns, less the round-off bound of each, over the force sum
-  int worst_block = -1;       ///< that `block_relative` is of; -1: all are below their bounds
-  double over_round_off = 0;  ///< the largest over the free unknowns over the round-off bound of its block
-
-  bool balanced(double tolerance) const { return largest <= tolerance * scale + round_off; }
-};
-
-/// Whether the step may be accepted; if it is not settled, it is cut.
-enum class SolutionStatus {
-  settled,             ///< the residual passes, states agree, penetration is below its tolerance
-  friction_unsettled,  ///< open and closed agree; stick and slip, or the size of friction, do not
-  states_unsettled,    ///< some contact is open that should be closed, or closed that should be open
-  forces_unsettled,    ///< the residual does not pass
-  penetrating,         ///< the residual passes, penetration stays above its tolerance
-  not_positive_definite,
-  not_finite
-};
-
 /// (13) of one step: measures residuals, assembles and factorizes their derivative.
-class StepSystem {
+class StepSystem : public StepProblem {
  public:
   explicit StepSystem(BlockSystem& blocks);
 
@@ -49,36 +24,27 @@ class StepSystem {
   /// The length of the step, s.
   double dt() const { return dt_; }
   const StepRule& rule() const { return rule_; }
-  /// The step's displacements of the prescribed degrees of freedom, zero elsewhere.
-  const VectorXd& prescribed() const { return prescribed_; }
-  /// The same, and elsewhere those of blocks without forces: where a solution starts.
+  bool is_explicit() const override { return rule_.is_explicit(); }
+  const VectorXd& prescribed() const override { return prescribed_; }
+  /// The step's prescribed displacements, and elsewhere those of blocks without forces: where a solution starts.
   VectorXd free_path() const;
-  /// Residual of displacements d when the contacts exert these forces.
-  /// \param[in] terms  of the contacts: their gradients are what forces act along
   void compute_residual(const VectorXd& d, const std::vector<Contact>& contacts,
                         const std::vector<ContactTerm>& terms, const std::vector<ContactForce>& forces,
-                        Residual& residual) const;
-  /// The sum of the magnitudes of the forces on a block when the residual was computed last, N per m;
-  /// infinity where it does not change.
-  double sum_of_forces(int block) const { return work_.sums[block].sum; }
-  /// Where d leads the unknowns to, see Block::displacement; d is changed so that prescribed ones are where
-  /// they should be.
-  VectorXd displacement(VectorXd& d) const;
-  /// Makes the matrix anew for the blocks displaced by d.
-  void linearize(const VectorXd& d);
-  /// d += change, the rotations of free blocks carried out as such, see Block::add_change; less of it when a
-  /// block would move further than a part of its size: what is linear holds for small changes.
-  void move(const VectorXd& change, VectorXd& d) const;
-  /// The matrix, its factor and what is solved with it.
-  FrictionProblem& problem() { return problem_; }
+                        Residual& residual) const override;
+  double sum_of_forces(int block) const override { return work_.sums[block].sum; }
+  /// See Block::displacement.
+  VectorXd displacement(VectorXd& d) const override;
+  void linearize(const VectorXd& d) override;
+  /// See Block::add_change.
+  void move(const VectorXd& change, VectorXd& d) const override;
+  std::optional<std::vector<double>> bends(const VectorXd& d, const VectorXd& change) const override;
+  double contact_stiffness(const Contact& contact) const override;
+  FrictionProblem& problem() override { return problem_; }
   const FrictionProblem& problem() const { return problem_; }
-  /// Of every unknown, see Block::unknown_lengths.
-  const VectorXd& unknown_lengths() const { return unknown_lengths_; }
+  /// See Block::unknown_lengths.
+  const VectorXd& unknown_lengths() const override { return unknown_lengths_; }
   BlockSystem& blocks() { return blocks_; }
   const BlockSystem& blocks() const { return blocks_; }
-  /// How far d moves the block at most, m.
-  double largest_motion(int block, const VectorXd& d) const;
-  double size_of(int block) const { return blocks_.block(block).size(); }
   /// The stiffness of a vertex against displacements along a unit normal, with the inertia of the step: how
   /// much force moves it while the rest of its block is held; infinity when it is held itself.
   double vertex_stiffness(int block, int vertex, const Vec2& normal) const;
@@ -123,6 +89,8 @@ class StepSystem {
   };
   /// Counts a force on a block, and the stiffness it comes from.
   void add_force_on(int block, double magnitude, double stiffness) const;
+  /// How far d moves the block at most, m.
+  double largest_motion(int block, const VectorXd& d) const;
   /// Bolts act along their segments at the end of a static step, and of one with half steps in which tension
   /// turns a block by more than the start's segments are stable for: the swaying of two blocks by (T / l)
   /// dt^2 of half their mass, 4 times that where they turn too, has the limit of leapfrog, (omega dt)^2 = 4.

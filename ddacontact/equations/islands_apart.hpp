@@ -2,6 +2,7 @@
 #pragma once
 
 #include <ddacontact/block/system_part.hpp>
+#include <ddacontact/equations/step_system.hpp>
 #include <ddacontact/solver/contact_solver.hpp>
 #include <polyfem/assembly/cholesky.hpp>
 

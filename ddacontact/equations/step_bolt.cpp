@@ -1,4 +1,4 @@
-#include <ddacontact/solver/step_bolt.hpp>
+#include <ddacontact/equations/step_bolt.hpp>
 
 #include <ddacontact/core/sort_once.hpp>
 

@@ -1,4 +1,4 @@
-#include <ddacontact/solver/quiet_face.hpp>
+#include <ddacontact/equations/quiet_face.hpp>
 
 #include <ddacontact/core/sort_once.hpp>
 

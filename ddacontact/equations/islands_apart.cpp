@@ -1,4 +1,4 @@
-#include <ddacontact/solver/islands_apart.hpp>
+#include <ddacontact/equations/islands_apart.hpp>
 
 #include <ddacontact/core/disjoint_sets.hpp>
 #include <ddacontact/core/sort_once.hpp>

@@ -1,4 +1,4 @@
-#include <ddacontact/solver/step_system.hpp>
+#include <ddacontact/equations/step_system.hpp>
 
 #include <ddacontact/core/for_all.hpp>
 #include <ddacontact/core/symmetric.hpp>
@@ -308,7 +308,8 @@ double StepSystem::largest_motion(int block, const VectorXd& d) const {
 void StepSystem::move(const VectorXd& whole_change, VectorXd& d) const {
   assert(whole_change.size() == d.size());
   double furthest = 0;  // relative to the block's size
-  for (int b : active_) furthest = std::max(furthest, largest_motion(b, whole_change) / size_of(b));
+  for (int b : active_)
+    furthest = std::max(furthest, largest_motion(b, whole_change) / blocks_.block(b).size());
   const VectorXd change = whole_change * (furthest > largest_move ? largest_move / furthest : 1);
   for_all(active_.size(), [&](int a) {
     const int b = active_[a];
@@ -318,6 +319,31 @@ void StepSystem::move(const VectorXd& whole_change, VectorXd& d) const {
     else
       u.of(d) += u.of(change);
   });
+}
+
+double StepSystem::contact_stiffness(const Contact& contact) const {
+  const VertexEdgePositions& place = contact.motion.start;
+  const Vec2 along = place.along(), normal = place.outwards();
+  const auto [vertex_block, vertex, edge_block, edge, corner] = contact.pair;
+  const int next = (edge + 1) % blocks_.block(edge_block).n_vertices();
+  const double t = std::clamp((place.i - place.j).dot(along) / contact.edge_length(), 0.0, 1.0);
+  const double of_vertex = vertex_stiffness(vertex_block, vertex, normal),
+               of_edge = 1 / ((1 - t) * (1 - t) / vertex_stiffness(edge_block, edge, normal) +
+                              t * t / vertex_stiffness(edge_block, next, normal));
+  return std::min(of_vertex, of_edge);
+}
+
+std::optional<std::vector<double>> StepSystem::bends(const VectorXd& d, const VectorXd& change) const {
+  std::vector<double> bends(static_cast<std::size_t>(blocks_.n_blocks()));
+  for (int b = 0; b < blocks_.n_blocks(); ++b) {
+    const double last = largest_motion(b, change);
+    bends[b] = last * (largest_motion(b, d) + last) / blocks_.block(b).size();
+  }
+  for (const PrescribedDof& held : blocks_.prescribed_dofs())
+    if (const int b = blocks_.block_of_point(held.vertex);
+        blocks_.is_movable(b) && bends[b] > few_ulps * blocks_.block(b).size())
+      return {};
+  return bends;
 }
 
 double StepSystem::vertex_stiffness(int b, int vertex, const Vec2& normal) const {

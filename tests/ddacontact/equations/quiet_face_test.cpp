@@ -1,4 +1,4 @@
-#include <ddacontact/solver/quiet_face.hpp>
+#include <ddacontact/equations/quiet_face.hpp>
 #include <tests/ddacontact/simple_scenes.hpp>
 
 #include <gtest/gtest.h>
