@@ -3,6 +3,7 @@
 #include "call_error.hpp"
 #include "checkpoints.hpp"
 #include "exit_status.hpp"
+#include "interruption.hpp"
 #include "memory.hpp"
 #include "messages.hpp"
 #include "named_files.hpp"
@@ -24,7 +25,6 @@
 #include <polyfem/core/stopwatch.hpp>
 
 #include <chrono>
-#include <csignal>
 #include <exception>
 #include <filesystem>
 #include <map>
@@ -37,14 +37,6 @@ using namespace ddacontact;
 using Clock = std::chrono::steady_clock;
 
 namespace {
-
-volatile std::sig_atomic_t signal_received = 0;
-
-/// A signal lets the present step end; a second Ctrl-C ends the program at once.
-extern "C" void note_signal(int number) {
-  signal_received = number;
-  if (number == SIGINT) std::signal(number, SIG_DFL);
-}
 
 std::filesystem::path default_directory(const std::string& scene) {
   std::filesystem::path path(scene);
@@ -87,15 +79,14 @@ void run_steps(Stepper& stepper, const std::optional<int>& steps,
   summary.status = "completed";
   while (!is_done(stepper, steps)) {
     bool stepped = false;
-    if (!signal_received) {
+    if (!interruption()) {
       const polyfem::Stopwatch watch(summary.seconds_steps);
       stepped = stepper.step();
     }
     if (!stepped) {
-      summary.status = signal_received ? "interrupted" : "stopped";
-      summary.reason = signal_received
-                           ? fmt::format("interrupted by signal {}", static_cast<int>(signal_received))
-                           : stepper.stop_reason();
+      summary.status = interruption() ? "interrupted" : "stopped";
+      summary.reason =
+          interruption() ? fmt::format("interrupted by signal {}", interruption()) : stepper.stop_reason();
       break;
     }
     const polyfem::Stopwatch watch(summary.seconds_output);
@@ -169,7 +160,7 @@ int finish(const RunArguments& arguments, const Stepper& stepper, const RunSumma
   if (!arguments.quiet) fmt::print("{}\nresults in {}\n", outcome, output.directory.string());
   if (summary.status == "completed") return done;
   print_error(fmt::format("{} at time {:.6g} s: {}", summary.status, stepper.state().time, summary.reason));
-  return summary.status == "stopped" ? static_cast<int>(analysis_stopped) : interrupted + signal_received;
+  return summary.status == "stopped" ? static_cast<int>(analysis_stopped) : interrupted + interruption();
 }
 
 /// A line for each model that "auto" chose, by reason.
@@ -310,10 +301,8 @@ int run_scene(const RunArguments& arguments, Scene& scene, Clock::time_point sta
   const std::string blas = polyfem::pin_blas_to_one_thread();
   polyfem::set_threads(arguments.threads);
   BuiltScene built = build(scene);
-  signal_received = 0;  // before there is something to keep a signal ends the program at once
-  std::signal(SIGINT, note_signal);
-  std::signal(SIGTERM, note_signal);
-  built.stepper->interrupt_when([] { return signal_received != 0; });
+  note_interruptions();  // before there is something to keep a signal ends the program at once
+  built.stepper->interrupt_when([] { return interruption() != 0; });
   RunSummary summary;
   if (from) {
     built.stepper->restore(from->record);

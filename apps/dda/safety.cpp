@@ -2,6 +2,7 @@
 
 #include "call_error.hpp"
 #include "exit_status.hpp"
+#include "interruption.hpp"
 #include "memory.hpp"
 #include "messages.hpp"
 #include "named_files.hpp"
@@ -152,15 +153,18 @@ void warn_of_swelling(const StrengthTrial& trial, const std::string& file) {
       file, trial.factor);
 }
 
-/// What a search that ended without an answer knows, and how to go on.
+/// What a search that ended without an answer knows.
+std::string known_of(const FactorBracket& bracket) {
+  return (bracket.low > 0 ? fmt::format("; it rests at {:.5g}", bracket.low) : "") +
+         (std::isfinite(bracket.high) ? fmt::format("; it moves at {:.5g}", bracket.high) : "");
+}
+
+/// That, and how to go on.
 std::string without_answer(const FactorBracket& bracket, const StrengthTrial& last) {
-  const std::string rests = bracket.low > 0 ? fmt::format("; it rests at {:.5g}", bracket.low) : "",
-                    moves =
-                        std::isfinite(bracket.high) ? fmt::format("; it moves at {:.5g}", bracket.high) : "";
   return fmt::format(
-      "no factor of safety: the trial at F = {:.5g} stopped without a verdict: {}{}{} (try a smaller "
+      "no factor of safety: the trial at F = {:.5g} stopped without a verdict: {}{} (try a smaller "
       "analysis.time_step, or --range beside this factor; all trials are in safety.csv)",
-      last.factor, last.reason, rests, moves);
+      last.factor, last.reason, known_of(bracket));
 }
 
 /// Significant ones that tell the ends of a bracket apart which is as narrow as the tolerance.
@@ -219,19 +223,27 @@ int search(const SafetyArguments& arguments, const Scene& scene) {
   keep_older(arguments);
   SafetyFiles files(arguments.directory, reduction.scene(), joints);
   const DirectoryLock lock(arguments.directory);
+  note_interruptions();
   const int at_once =
       arguments.jobs > 0 ? arguments.jobs : static_cast<int>(std::thread::hardware_concurrency());
   std::map<double, std::string> pulled_bonds;  // of trials, by their factors
   const FactorBracket bracket = bracket_factor_ahead(
       [&](double factor, const std::function<bool()>& given_up) {
-        return reduction.try_factor(factor, {}, given_up);
+        return reduction.try_factor(factor, {}, [&] { return interruption() != 0 || given_up(); });
       },
       at_once, range, arguments.tolerance,
       [&](const StrengthTrial& trial) {
+        if (interruption()) return;
         files.add(trial);
         pulled_bonds[trial.factor] = trial.pulled_bonds;
         if (!arguments.quiet) tell(trial, scene);
       });
+  if (interruption()) {
+    print_error(
+        fmt::format("interrupted by signal {}: no factor of safety{} (trials so far are in {}/safety.csv)",
+                    interruption(), known_of(bracket), arguments.directory));
+    return interrupted + interruption();
+  }
   if (const std::string& pulled = pulled_bonds[bracket.low]; !pulled.empty())
     say("{}: warning: at F = {:.4g} {}: limit equilibrium gives a smaller factor (compare one without "
         "'tensile_strength')\n",

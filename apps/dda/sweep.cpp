@@ -3,6 +3,7 @@
 #include "call_error.hpp"
 #include "checkpoints.hpp"
 #include "exit_status.hpp"
+#include "interruption.hpp"
 #include "messages.hpp"
 #include "named_files.hpp"
 
@@ -110,13 +111,29 @@ class Sweep {
     const auto wait_one = [&] {
       int status = 0;
       auto ended = running.end();
-      while (ended == running.end()) ended = running.find(waitpid(-1, &status, 0));
+      while (!running.empty() && ended == running.end()) {
+        // Ctrl-C reaches them too; a second one would not let them write their checkpoints.
+        if (interruption())
+          for (const auto& [child, k] : running) kill(child, SIGTERM);
+        ended = running.find(waitpid(-1, &status, 0));
+      }
+      if (ended == running.end()) return;
       note_end(ended->second, status);
       tell(ended->second);
       running.erase(ended);
     };
+    note_interruptions();
     run_jobs(
-        waiting, n_jobs(), [&](int k) { running[start(k)] = k; }, wait_one);
+        waiting, n_jobs(),
+        [&](int k) {
+          if (!interruption()) running[start(k)] = k;
+        },
+        wait_one);
+  }
+  int n_finished() const {
+    int n = 0;
+    for (int k = 1; k <= n_cases(); ++k) n += is_finished(k);
+    return n;
   }
 
   /// Of sweep.csv.
@@ -340,6 +357,12 @@ int sweep_all(const SweepArguments& arguments) {
     return done;
   }
   sweep.run();
+  if (interruption()) {
+    print_error(fmt::format(
+        "interrupted by signal {}: {} of {} cases are finished (the same call goes on with the others)",
+        interruption(), sweep.n_finished(), sweep.n_cases()));
+    return interrupted + interruption();
+  }
   if (arguments.only > 0) return done;
   std::string reason;
   const bool any = sweep.write_table(reason);

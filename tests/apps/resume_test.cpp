@@ -64,6 +64,30 @@ remove = ["pillar"]
 every = 3
 )";
 
+/// A block on the ground.
+constexpr char endless_scene[] = R"(format = 1
+[analysis]
+time_step = 0.001
+steps = 100000000
+[[material]]
+name = "rock"
+density = 2500
+young = "35 GPa"
+poisson = 0.3
+[[joint]]
+name = "interface"
+friction_angle = 20
+[[block]]
+material = "rock"
+vertices = [[-10, -1], [10, -1], [10, 0], [-10, 0]]
+fixed = true
+[[block]]
+material = "rock"
+vertices = [[0, 0], [1, 0], [1, 1], [0, 1]]
+[output]
+every = 0
+)";
+
 TEST_F(Resume, AnyStepGivesTheSameFiles) {
   write("staged.toml", staged_scene);
   expect_any_step_to_do("staged.toml");
@@ -137,28 +161,7 @@ TEST_F(Resume, ASignalLeavesACheckpoint) {
 }
 
 TEST_F(Resume, CasesEndWithTheirSweepAndLeaveCheckpoints) {
-  write("long.toml", R"(format = 1
-[analysis]
-time_step = 0.001
-steps = 100000000
-[[material]]
-name = "rock"
-density = 2500
-young = "35 GPa"
-poisson = 0.3
-[[joint]]
-name = "interface"
-friction_angle = 20
-[[block]]
-material = "rock"
-vertices = [[-10, -1], [10, -1], [10, 0], [-10, 0]]
-fixed = true
-[[block]]
-material = "rock"
-vertices = [[0, 0], [1, 0], [1, 1], [0, 1]]
-[output]
-every = 0
-)");
+  write("long.toml", endless_scene);
   run_and_signal({"sweep", "long.toml", "--vary", "joint.interface.friction_angle=20,30", "-o", "swept",
                   "--jobs", "1", "--quiet"},
                  1000, SIGKILL);
@@ -168,6 +171,39 @@ every = 0
   ASSERT_TRUE(fs::exists(written));
   EXPECT_EQ(summary("swept/case-1")["status"], "interrupted");
   EXPECT_TRUE(fs::exists(directory_ / "swept" / "case-1" / "checkpoint.bin"));
+}
+
+/// Ctrl-C reaches the cases too, in whatever order.
+TEST_F(Resume, AnInterruptedSweepSaysWhatIsFinished) {
+  write("long.toml", endless_scene);
+  for (const int signal : {SIGTERM, SIGINT}) {
+    const int status =
+        run_and_signal({"sweep", "long.toml", "--vary", "joint.interface.friction_angle=20,30,40", "-o",
+                        "swept", "--jobs", "2", "--quiet"},
+                       1000, signal);
+    EXPECT_EQ(status, 128 + signal);
+    EXPECT_EQ(summary("swept/case-1")["status"], "interrupted");
+    EXPECT_EQ(summary("swept/case-2")["status"], "interrupted");
+    EXPECT_FALSE(fs::exists(directory_ / "swept" / "case-3"));
+    EXPECT_FALSE(fs::exists(directory_ / "swept" / "sweep.csv"));
+  }
+}
+
+/// Pushed to and fro it neither rests nor moves far.
+TEST_F(Resume, AnInterruptedSearchForAFactorLeavesNoAnswer) {
+  std::string scene = endless_scene;
+  scene.erase(scene.find("steps = "), std::string("steps = 100000000\n").size());
+  scene += "[[load]]\ntype = \"point\"\nblock = 1\nat = [0.5, 0.5]\nhistory = [[0, 1e3, 0]";
+  for (int k = 1; k < 4000; ++k)
+    scene += ", [" + std::to_string(k / 2.) + (k % 2 == 0 ? ", 1e3, 0]" : ", -1e3, 0]");
+  scene +=
+      "]\n[[stage]]\nname = \"settle\"\nmode = \"static\"\nsteps = 5\n[[stage]]\nname = \"shake\"\nsteps = "
+      "100000000\n";
+  write("shaken.toml", scene);
+  EXPECT_EQ(run_and_signal({"safety", "shaken.toml", "-o", "factor", "--quiet", "--jobs", "1"}, 2000, SIGINT),
+            128 + SIGINT);
+  EXPECT_TRUE(fs::exists(directory_ / "factor" / "safety.csv"));
+  EXPECT_FALSE(fs::exists(directory_ / "factor" / "safety.json"));
 }
 
 TEST_F(Resume, AFullDiskKeepsTheLastCheckpoint) {
@@ -246,10 +282,10 @@ TEST_F(Resume, ASceneGoesOnAsTheNextStage) {
 /// A load that a settled block did not have: it slides as it would from rest.
 TEST_F(Resume, TheNextStageMayHaveOtherLoads) {
   const std::string blocks = std::string(staged_scene, std::string(staged_scene).find("[[stage]]"));
-  write("settle.toml", blocks + "[[stage]]\nmode = \"static\"\nsteps = 5\n");
+  write("settle.toml", blocks + "[[stage]]\nname = \"settle\"\nmode = \"static\"\nsteps = 5\n");
   write("push.toml", blocks +
                          "[[load]]\ntype = \"point\"\nblock = \"left\"\nat = [0, 0.5]\n"
-                         "force = [\"-1 MN\", 0]\n[[stage]]\nsteps = 10\n");
+                         "force = [\"-1 MN\", 0]\n[[stage]]\nname = \"shake\"\nsteps = 10\n");
   ASSERT_EQ(dda("run settle.toml -o settled --quiet"), 0) << err_;
   ASSERT_EQ(dda("run push.toml -o pushed --quiet --as-stage --resume settled/checkpoint.bin"), 0) << err_;
   const nlohmann::json summary = nlohmann::json::parse(read_file(directory_ / "pushed/summary.json"));
@@ -265,7 +301,8 @@ TEST_F(Resume, TheNextStageBringsBoltsThatHaveNotComeYet) {
                         std::string(staged_scene, std::string(staged_scene).find("[[stage]]")) +
                         "[[bolt]]\nname = \"tie\"\npoints = [[0.5, 0.5], [0.5, -0.5]]\narea = \"4 cm2\"\n"
                         "young = \"200 GPa\"\npretension = \"10 kN\"\n",
-                    stage = "[[stage]]\nmode = \"static\"\nsteps = 5\n", add = "add = [\"tie\"]\n";
+                    stage = "[[stage]]\nname = \"settle\"\nmode = \"static\"\nsteps = 5\n",
+                    add = "add = [\"tie\"]\n";
   write("settle.toml", blocks + stage + stage + add);
   ASSERT_EQ(dda("run settle.toml -o settled --quiet --steps 5"), 0) << err_;
   for (const std::string& text : {stage, stage + add}) {
