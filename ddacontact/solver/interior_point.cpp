@@ -173,7 +173,6 @@ struct InteriorPoint : EvaluatedContacts {
     inside = point.inside;
     d = point.d;
     evaluate();
-    evaluate_interior(mean_product(0));
   }
 
   /// Turns a direction that leads back from where one came. Returns what it was multiplied by.
@@ -338,6 +337,7 @@ InteriorReport find_interior_point_states(StepProblem& system, const EvaluatedCo
                                           std::vector<unsigned char>& states) {
   InteriorPoint point{contacts, system, d};
   const InteriorReport report = point.solve();
+  states.resize(contacts.terms.size());
   for (std::size_t c = 0; c < contacts.terms.size(); ++c) states[c] = point.inside[c].state(contacts.laws[c]);
   return report;
 }

@@ -282,10 +282,10 @@ TEST_F(Resume, ASceneGoesOnAsTheNextStage) {
 /// A load that a settled block did not have: it slides as it would from rest.
 TEST_F(Resume, TheNextStageMayHaveOtherLoads) {
   const std::string blocks = std::string(staged_scene, std::string(staged_scene).find("[[stage]]"));
-  write("settle.toml", blocks + "[[stage]]\nname = \"settle\"\nmode = \"static\"\nsteps = 5\n");
+  write("settle.toml", blocks + "[[stage]]\nmode = \"static\"\nsteps = 5\n");
   write("push.toml", blocks +
                          "[[load]]\ntype = \"point\"\nblock = \"left\"\nat = [0, 0.5]\n"
-                         "force = [\"-1 MN\", 0]\n[[stage]]\nname = \"shake\"\nsteps = 10\n");
+                         "force = [\"-1 MN\", 0]\n[[stage]]\nsteps = 10\n");
   ASSERT_EQ(dda("run settle.toml -o settled --quiet"), 0) << err_;
   ASSERT_EQ(dda("run push.toml -o pushed --quiet --as-stage --resume settled/checkpoint.bin"), 0) << err_;
   const nlohmann::json summary = nlohmann::json::parse(read_file(directory_ / "pushed/summary.json"));
@@ -301,8 +301,7 @@ TEST_F(Resume, TheNextStageBringsBoltsThatHaveNotComeYet) {
                         std::string(staged_scene, std::string(staged_scene).find("[[stage]]")) +
                         "[[bolt]]\nname = \"tie\"\npoints = [[0.5, 0.5], [0.5, -0.5]]\narea = \"4 cm2\"\n"
                         "young = \"200 GPa\"\npretension = \"10 kN\"\n",
-                    stage = "[[stage]]\nname = \"settle\"\nmode = \"static\"\nsteps = 5\n",
-                    add = "add = [\"tie\"]\n";
+                    stage = "[[stage]]\nmode = \"static\"\nsteps = 5\n", add = "add = [\"tie\"]\n";
   write("settle.toml", blocks + stage + stage + add);
   ASSERT_EQ(dda("run settle.toml -o settled --quiet --steps 5"), 0) << err_;
   for (const std::string& text : {stage, stage + add}) {
