@@ -21,6 +21,7 @@ struct Bolt {
   std::vector<MaterialPoint> nodes;  ///< along the bar, two at least; block -1: gone with its block
   double stiffness = 0;              ///< E A, N per m
   double yield = infinity;           ///< of the axial force in tension and in compression, N per m
+  double buckling = infinity;        ///< compression at which it gives way sideways, elastically, N per m
   double rupture_strain = infinity;  ///< of the steel, elastic and plastic
   double pretension = 0;             ///< axial force when it is installed, N per m
   /// The length of bar that each node of a grouted bar holds, m; empty: it is anchored.

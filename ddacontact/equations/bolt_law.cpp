@@ -3,6 +3,7 @@
 #include <ddacontact/block/block_system.hpp>
 #include <ddacontact/solver/line_search.hpp>
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 
@@ -35,7 +36,8 @@ struct Bar {
   ClippedSpring segment_spring(int k) const {
     if (!bolt.has_segment(k) || numbers[Bolt::torn(k)] != 0) return {};
     const double stiffness = bolt.stiffness / numbers[Bolt::length(k)];
-    return {-stiffness * (stretch(k) - numbers[Bolt::plastic(k)]), stiffness, -bolt.yield, bolt.yield};
+    return {-stiffness * (stretch(k) - numbers[Bolt::plastic(k)]), stiffness, -bolt.yield,
+            std::min(bolt.yield, bolt.buckling)};
   }
   double stretch(int k) const { return elongation[k] + (n_slips > 0 ? slip[k + 1] - slip[k] : 0); }
   double bond_stiffness(int i) const { return bolt.bond_stiffness * bolt.bonded[i]; }

@@ -3,7 +3,7 @@
 /// Bar and bond are springs whose force follows their elongation, up to a constant bound (ideal
 /// plasticity). With u the elongations of the rock and s the slips of a grouted bar at its nodes, towards the
 /// last one,
-///     N_k = E A / L_k (u_k + s_k+1 - s_k - plastic_k),      |N_k| <= yield,
+///     N_k = E A / L_k (u_k + s_k+1 - s_k - plastic_k),      |N_k| <= yield,  N_k >= -buckling,
 ///     T_i = bond stiffness l_i (s_i - plastic_i),            |T_i| <= bond strength l_i,
 /// and the slips are those that balance the bar, N_i - N_i-1 = T_i: the minimum of a convex potential, as
 /// contacts with a constant bound of friction have. An anchored bar has no slips.

@@ -36,6 +36,7 @@ const char* BoltView::state(int segment) const {
   if (!bears_) return "absent";
   if (is_torn(segment)) return "torn";
   if (reaches(forces_.axial[segment], bolt_.yield)) return "yield";
+  if (forces_.axial[segment] < 0 && reaches(forces_.axial[segment], bolt_.buckling)) return "buckled";
   return slips(segment) || slips(segment + 1) ? "slip" : "elastic";
 }
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace ddacontact {
 
@@ -87,6 +88,12 @@ std::vector<BoltNode> bolt_nodes(const RockBolt& bolt, const std::vector<BlockDe
       nodes.push_back({piece.block, bolt.from + (piece.from + (k + 0.5) * length) * along, length});
   }
   return nodes;
+}
+
+double euler_load(const RockBolt& bolt) {
+  const double second_moment = bolt.area * bolt.area / (4 * std::numbers::pi),
+               length = (bolt.to - bolt.from).norm();
+  return std::numbers::pi * std::numbers::pi * bolt.young * second_moment / (length * length);
 }
 
 }  // namespace ddacontact

@@ -1,4 +1,4 @@
-/// \file Which blocks a bolt passes, and the nodes that it is divided at.
+/// \file Which blocks a bolt passes, the nodes that it is divided at, and how it buckles.
 #pragma once
 
 #include <ddacontact/scene/scene.hpp>
@@ -31,5 +31,8 @@ std::vector<BoltPiece> bolt_pieces(const RockBolt& bolt, const std::vector<Block
 /// a sixth of the length sqrt(E A / bond stiffness) over which its force fades: what is left of the error is
 /// (1/6)^2 / 8 of a force across a joint.
 std::vector<BoltNode> bolt_nodes(const RockBolt& bolt, const std::vector<BlockDescription>& blocks);
+
+/// The compression at which a round bar of the bolt's section, free and pinned at its ends, buckles, N.
+double euler_load(const RockBolt& bolt);
 
 }  // namespace ddacontact

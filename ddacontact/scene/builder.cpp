@@ -259,6 +259,7 @@ class Builder {
       made.pretension = bolt.pretension / bolt.spacing;
       made.bond_stiffness = bolt.bond_stiffness / bolt.spacing;
       made.bond_strength = bolt.bond_strength.value_or(Bolt::infinity) / bolt.spacing;
+      if (!made.is_grouted()) made.buckling = euler_load(bolt) / bolt.spacing;
     }
     return all;
   }

@@ -95,6 +95,23 @@ TEST(BoltLaw, YieldingIsKeptAndDissipatesWhatIsNotStored) {
   }
 }
 
+/// Elastically: what it bears in tension afterwards is as before.
+TEST(BoltLaw, ABarBucklesAndBearsNoMoreCompression) {
+  Bolt bolt = bar_of_ten(false);
+  bolt.buckling = 300;
+  bolt.yield = 50e3;
+  VectorXd numbers = new_numbers(bolt);
+  for (const double u : {-1e-7, -1e-4, -1e-2}) {
+    const VectorXd elongation = VectorXd::Constant(10, u);
+    const BoltForces forces = bolt_forces(bolt, numbers, elongation);
+    EXPECT_DOUBLE_EQ(forces.axial[3], std::max(-300., 8e7 * u / 0.1));
+    EXPECT_EQ(forces.stiffness(3, 3) > 0, u == -1e-7);
+    EXPECT_EQ(follow(bolt, elongation, numbers).dissipated, 0);
+  }
+  EXPECT_EQ(numbers, new_numbers(bolt));
+  EXPECT_DOUBLE_EQ(bolt_forces(bolt, numbers, VectorXd::Constant(10, 1e-5)).axial[3], 8e7 * 1e-4);
+}
+
 TEST(BoltLaw, ATornSegmentBearsNothingAndTheRestGoesOn) {
   Bolt bolt = bar_of_ten(true);
   bolt.rupture_strain = 1e-3;

@@ -1,5 +1,6 @@
 // Anchored and grouted bolts against closed forms, and through all that happens to a run.
 #include <tests/ddacontact/time/bolted_scenes.hpp>
+#include <tests/ddacontact/time/staged_scenes.hpp>
 
 #include <ddacontact/scene/reader.hpp>
 
@@ -34,7 +35,7 @@ TEST(Bolts, BearTheWeightOfABlockThatHangsOnOne) {
 TEST(Bolts, DecayAsJointsDoByTheDefaultScheme) {
   Scene scene = hanging_block(0.002, 50);
   scene.analysis.scheme = Scheme::decaying;
-  scene.analysis.gravity = Vec2::Zero();
+  scene.bolts[0].pretension = weight;  // about equilibrium
   scene.blocks[1].velocity = {0, -0.1};
   const double w = std::sqrt(bar_stiffness / 5 / 4000), wdt = w * 0.002;
   const BuiltScene built = build(scene);
@@ -116,6 +117,29 @@ TEST(Bolts, YieldAtTheirYieldForceAndTakeTheWorkOfIt) {
     expect_closed(*built.stepper);
     EXPECT_LE(built.stepper->energy().created(), 1e-6);
   }
+}
+
+/// A bar of 3 cm2 and 3 m leans down the slope, so that slip shortens it: it buckles at 1.6 kN, and a block of 98
+/// kN slides as it does without it.
+TEST(Bolts, DoNotPropWhatSlidesAgainstThem) {
+  const auto travelled = [](bool bolted) {
+    Scene scene = slope_scene(25, 22);
+    scene.blocks[1].vertices = turned(rectangle(0, 0, 2, 2), -radians(25));
+    scene.materials[0].density = 2500;
+    const auto place = [](double x, double y) -> Vec2 { return turned(Points(Vec2(x, y)), -radians(25)); };
+    if (bolted) {
+      scene.bolts = {steel_bolt(place(0.5, 1.5), place(2.6, -0.6))};
+      scene.bolts[0].area = 3e-4;
+      scene.bolts[0].yield_force = 60e3;
+      scene.bolts[0].pretension = 20e3;
+    }
+    const BuiltScene built = run(scene);
+    if (bolted) EXPECT_STREQ(view_of(*built.stepper).state(0), "buckled");
+    return travel(*built.stepper, 1).norm();
+  };
+  const double free = travelled(false), bolted = travelled(true);
+  EXPECT_GT(free, 0.04);
+  EXPECT_NEAR(bolted, free, 0.3 * free) << "what 1.6 kN and the pretension change";
 }
 
 TEST(Bolts, TearBeyondTheirRuptureStrain) {
