@@ -74,6 +74,18 @@ double largest_displacement(const std::filesystem::path& directory) {
   return largest;
 }
 
+/// The first line of a log that is no warning or note; the first one where all are.
+std::string reason_of(const std::filesystem::path& log) {
+  std::ifstream in(log);
+  std::string first;
+  for (std::string line; std::getline(in, line);) {
+    if (line.find(": warning: ") == std::string::npos && line.find(": note: ") == std::string::npos)
+      return line;
+    if (first.empty()) first = line;
+  }
+  return first;
+}
+
 }  // namespace
 
 std::optional<double> number_of(const std::string& text) {
@@ -112,8 +124,7 @@ CaseResult read_case(const std::filesystem::path& directory, const std::vector<O
   const std::filesystem::path file = summary_file(directory);
   if (file.empty()) {
     result.status = "failed";
-    std::ifstream in(log);
-    std::getline(in, result.reason);
+    result.reason = reason_of(log);
     result.outcomes.resize(outcomes.size());
     return result;
   }

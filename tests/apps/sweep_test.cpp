@@ -80,6 +80,18 @@ TEST_F(Program, SweepGoesOnWhenACaseFailsAndSaysWhy) {
   EXPECT_EQ(rows[2][2], "completed");
 }
 
+/// Not the warning that its log begins with.
+TEST_F(Program, SweepSaysWhichErrorACaseHas) {
+  write("unused.toml",
+        "parameters = { angle = 20.0 }\n" + read_file(POLYDDA_EXAMPLES "/paper/sliding_30.toml"));
+  ASSERT_EQ(
+      dda("sweep unused.toml --vary joint.0.friction_angle=95,20 --set analysis.steps=2 -o result --quiet"),
+      0)
+      << err_;
+  const auto rows = read_csv(directory_ / "result/sweep.csv");
+  EXPECT_NE(rows[1].back().find("out of range"), std::string::npos) << rows[1].back();
+}
+
 TEST_F(Program, SweepSaysHowACaseEndedThatCouldNotSayIt) {
   // A second of the processor is too little.
   const int status = std::system(("cd '" + directory_.string() + "' && ulimit -t 1 && " + POLYDDA_PROGRAM +
