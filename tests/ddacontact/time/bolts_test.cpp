@@ -134,7 +134,7 @@ TEST(Bolts, DoNotPropWhatSlidesAgainstThem) {
       scene.bolts[0].pretension = 20e3;
     }
     const BuiltScene built = run(scene);
-    if (bolted) EXPECT_STREQ(view_of(*built.stepper).state(0), "buckled");
+    EXPECT_TRUE(!bolted || view_of(*built.stepper).state(0) == std::string("buckled"));
     return travel(*built.stepper, 1).norm();
   };
   const double free = travelled(false), bolted = travelled(true);
