@@ -42,9 +42,8 @@ struct Bar {
   double stretch(int k) const { return elongation[k] + (n_slips > 0 ? slip[k + 1] - slip[k] : 0); }
   double bond_stiffness(int i) const { return bolt.bond_stiffness * bolt.bonded[i]; }
   ClippedSpring bond_spring(int i) const {
-    const double strength = bolt.bond_strength * bolt.bonded[i];
-    return {-bond_stiffness(i) * (slip[i] - numbers[bolt.plastic_slip(i)]), bond_stiffness(i), -strength,
-            strength};
+    const double most = bolt.bond_strength * bolt.bonded[i];
+    return {-bond_stiffness(i) * (slip[i] - numbers[bolt.plastic_slip(i)]), bond_stiffness(i), -most, most};
   }
   /// Where all bonds slip the bar stays where it was: by a spring that only shows there.
   double regularization(int i) const {
@@ -58,8 +57,7 @@ struct Bar {
   }
   std::vector<int> pieces() const {
     std::vector<int> found;
-    for (const ClippedSpring& spring : springs)
-      found.push_back(spring.acts() ? 0 : spring.force > 0 ? 1 : -1);
+    for (const ClippedSpring& of : springs) found.push_back(of.acts() ? 0 : of.force > 0 ? 1 : -1);
     return found;
   }
   double force(int spring) const { return -springs[spring].clipped(); }

@@ -13,8 +13,11 @@ Scene stack_scene(int blocks, double time_step, int steps) {
 StartedBlocks::StartedBlocks(const Scene& scene, double dt) : built_(build(scene)) {
   const Stepper& stepper = *built_.stepper;
   const BlockState& state = stepper.state();
+  StepRule rule;
+  rule.scheme = scene.analysis.scheme;
   for (int b = 0; b < stepper.blocks().n_blocks(); ++b)
-    const_cast<Block&>(stepper.blocks().block(b)).begin_step(state, {{}, dt, state.velocity, state.carried});
+    const_cast<Block&>(stepper.blocks().block(b))
+        .begin_step(state, {rule, dt, state.velocity, state.carried});
 }
 
 VectorXd StartedBlocks::elastic_force(int b, const VectorXd& d) const {
