@@ -163,8 +163,7 @@ StrengthTrial StrengthReduction::try_factor(double factor, const TrialLimits& li
   const auto trial_of_scene = [&] {
     const BuiltScene built = build(scene);
     if (settled_) built.stepper->restore(*settled_);
-    built.stepper->interrupt_when(given_up);
-    return run_trial(*built.stepper, limits);
+    return run_trial(*built.stepper, limits, given_up);
   };
   StrengthTrial trial = trial_of_scene();
   const bool releases = settled_ && n_settling_ + 1 < static_cast<int>(scene.stages.size());

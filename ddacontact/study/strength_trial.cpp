@@ -74,7 +74,8 @@ void describe_end(const Stepper& stepper, const Way& way, double start_time, Str
 
 }  // namespace
 
-StrengthTrial run_trial(Stepper& stepper, const TrialLimits& limits) {
+StrengthTrial run_trial(Stepper& stepper, const TrialLimits& limits, const std::function<bool()>& given_up) {
+  stepper.interrupt_when(given_up);
   StrengthTrial trial;
   const Way way(stepper);
   const double start_time = stepper.state().time;
@@ -91,6 +92,7 @@ StrengthTrial run_trial(Stepper& stepper, const TrialLimits& limits) {
   int at_rest = 0, slipped = 0;
   const auto changes = [&] { return stepper.state().time < last_change(stepper.blocks()); };
   while (unchanged < most_steps) {
+    if (given_up && given_up()) return decide(Verdict::stopped, "interrupted");
     if (!stepper.step()) return decide(Verdict::stopped, stepper.stop_reason());
     ++trial.steps;
     unchanged = changes() ? 0 : unchanged + 1;

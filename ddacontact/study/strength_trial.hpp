@@ -4,6 +4,7 @@
 #include <ddacontact/study/factor_bracket.hpp>
 #include <ddacontact/time/stepper.hpp>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -45,7 +46,8 @@ struct StrengthTrial {
   Points displacements;           ///< of all vertices since the start of the trial, m
 };
 
-/// Steps until one of the limits decides. `stopped` when the stepper stops before, by itself or interrupted.
-StrengthTrial run_trial(Stepper& stepper, const TrialLimits& limits);
+/// Steps until one of the limits decides. `stopped` when the stepper stops before, or where `given_up`, called
+/// after every trial step, returns true.
+StrengthTrial run_trial(Stepper& stepper, const TrialLimits& limits, const std::function<bool()>& given_up);
 
 }  // namespace ddacontact
