@@ -35,8 +35,8 @@ constexpr std::string_view statuses = R"(Exit statuses
   3    the analysis stopped: a step could not be solved, even cut to a thousandth, or memory ran out;
        results and a checkpoint are kept
   4    a file could not be read or written
-  130  interrupted by Ctrl-C; results and a checkpoint are kept
-  143  ended by a signal from the system; results and a checkpoint are kept
+  130  interrupted by Ctrl-C; a run keeps results and a checkpoint, safety its trials, sweep its cases
+  143  ended by a signal from the system; what is kept is the same
 
 "status" of summary.json is "completed", "stopped" or "interrupted". A completed run need not be in equilibrium:
 see "at_rest", "unbalanced" and the warnings.

@@ -1,12 +1,13 @@
 #include "interruption.hpp"
 
-#include <csignal>
+#include <atomic>
 
 namespace dda {
 
 namespace {
 
-volatile std::sig_atomic_t signal_noted = 0;
+std::atomic<int> signal_noted = 0;
+static_assert(std::atomic<int>::is_always_lock_free);
 
 extern "C" void note_signal(int number) {
   signal_noted = number;
@@ -15,10 +16,15 @@ extern "C" void note_signal(int number) {
 
 }  // namespace
 
-void note_interruptions() {
+void note_interruptions(int flags) {
   struct sigaction action {};
   action.sa_handler = note_signal;
+  action.sa_flags = flags;
   for (const int number : {SIGINT, SIGTERM}) sigaction(number, &action, nullptr);
+}
+
+void end_at_interruptions() {
+  for (const int number : {SIGINT, SIGTERM}) std::signal(number, SIG_DFL);
 }
 
 int interruption() {

@@ -248,6 +248,7 @@ int search(const SafetyArguments& arguments, const Scene& scene) {
     say("{}: warning: at F = {:.4g} {}: limit equilibrium gives a smaller factor (compare one without "
         "'tensile_strength')\n",
         arguments.scene, bracket.low, pulled);
+  end_at_interruptions();  // there is no result without the trials that follow
   VariantTrials variants;
   if (!bracket.stopped && bracket.low > 0)
     variants = {try_with_rounded_corners(scene, joints, bracket.low),

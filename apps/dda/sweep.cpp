@@ -122,7 +122,7 @@ class Sweep {
       tell(ended->second);
       running.erase(ended);
     };
-    note_interruptions();
+    note_interruptions(0);
     run_jobs(
         waiting, n_jobs(),
         [&](int k) {
@@ -130,9 +130,11 @@ class Sweep {
         },
         wait_one);
   }
-  int n_finished() const {
+  /// Cases that are not finished.
+  int n_left() const {
     int n = 0;
-    for (int k = 1; k <= n_cases(); ++k) n += is_finished(k);
+    for (int k = 1; k <= n_cases(); ++k)
+      n += (arguments_.only == 0 || arguments_.only == k) && !is_finished(k);
     return n;
   }
 
@@ -288,6 +290,8 @@ class Sweep {
     if (child > 0) return child;
     // However the sweep ends, its cases end with it, and leave a checkpoint.
     prctl(PR_SET_PDEATHSIG, SIGINT);
+    end_at_interruptions();
+    if (interruption()) _exit(file_error);
     const int file = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
     if (getppid() == sweep && file >= 0 && dup2(file, STDERR_FILENO) >= 0 && dup2(file, STDOUT_FILENO) >= 0)
       execv("/proc/self/exe", argv.data());
@@ -302,7 +306,7 @@ class Sweep {
     const std::string end =
         by_signal ? fmt::format("ended by signal {} ({})", WTERMSIG(status), strsignal(WTERMSIG(status)))
                   : fmt::format("ended with status {}", WEXITSTATUS(status));
-    std::ofstream(log_of(k), std::ios::binary) << end << (log.empty() ? "\n" : ": " + log);
+    std::ofstream(log_of(k), std::ios::binary) << end << '\n' << log;
   }
 
   void tell(int k) const {
@@ -357,10 +361,10 @@ int sweep_all(const SweepArguments& arguments) {
     return done;
   }
   sweep.run();
-  if (interruption()) {
-    print_error(fmt::format(
-        "interrupted by signal {}: {} of {} cases are finished (the same call goes on with the others)",
-        interruption(), sweep.n_finished(), sweep.n_cases()));
+  if (const int left = interruption() ? sweep.n_left() : 0; left > 0) {
+    print_error(
+        fmt::format("interrupted by signal {}: {} of {} cases are left (the same call goes on with them)",
+                    interruption(), left, sweep.n_cases()));
     return interrupted + interruption();
   }
   if (arguments.only > 0) return done;

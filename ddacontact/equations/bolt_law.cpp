@@ -116,18 +116,16 @@ struct Bar {
 
   BoltForces forces() const {
     BoltForces forces;
-    forces.axial.resize(n_segments);
-    forces.stretch.resize(n_segments);
+    forces.axial = VectorXd::NullaryExpr(n_segments, [&](int k) { return force(k); });
+    forces.stretch = VectorXd::NullaryExpr(n_segments, [&](int k) { return stretch(k); });
     forces.slip = slip;
-    forces.bond.resize(n_slips);
-    for (int i = 0; i < n_slips; ++i) forces.bond[i] = force(n_segments + i);
-    VectorXd of_segments(n_segments);
-    for (int k = 0; k < n_segments; ++k) {
-      forces.axial[k] = force(k);
-      assert(!(std::abs(forces.axial[k]) > bolt.yield));
-      forces.stretch[k] = stretch(k);
-      of_segments[k] = stiffness(k);
-    }
+    forces.bond = VectorXd::NullaryExpr(n_slips, [&](int i) { return force(n_segments + i); });
+    const VectorXd of_segments = VectorXd::NullaryExpr(n_segments, [&](int k) { return stiffness(k); });
+    assert(!((forces.axial.array().abs() > bolt.yield).any()));
+    for (int k = 0; k < n_segments && bolt.buckling < bolt.yield; ++k)
+      if (const ClippedSpring& s = springs[k];
+          s.force > bolt.buckling)  // what it has given way by, elastically
+        forces.stored += bolt.buckling * (s.force - bolt.buckling) / s.stiffness;
     for (std::size_t k = 0; k < springs.size(); ++k)
       if (springs[k].stiffness > 0)
         forces.stored += force(static_cast<int>(k)) * force(static_cast<int>(k)) / (2 * springs[k].stiffness);

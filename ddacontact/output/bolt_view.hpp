@@ -15,8 +15,8 @@ class BoltView {
   double axial(int segment) const { return bears_ ? forces_.axial[segment] : 0; }
   /// Of the bar since it was installed, m.
   double elongation(int segment) const;
-  /// "absent" (not installed as yet), "torn", "yield" (its force is at its bound), "slip" (the bond at one of
-  /// its ends is) or "elastic".
+  /// "absent" (not installed as yet), "torn", "yield" (its force is at its bound), "buckled" (its
+  /// compression is), "slip" (the bond at one of its ends is) or "elastic".
   const char* state(int segment) const;
   bool is_torn(int segment) const { return bears_ && numbers_[Bolt::torn(segment)] != 0; }
   /// That with the largest force, the first of equals; -1 where no segment is left.

@@ -13,7 +13,7 @@ constexpr double thinnest = 1.2, thickest = 4;  // px
 const Colour elastic{120, 30, 140}, at_bound{190, 30, 45}, torn{110, 110, 110};
 
 bool is_at_bound(const BoltLine& bolt) {
-  return bolt.state == "yield" || bolt.state == "slip";
+  return bolt.state == "yield" || bolt.state == "buckled" || bolt.state == "slip";
 }
 
 }  // namespace
@@ -41,7 +41,7 @@ std::vector<LegendItem> bolt_explanations(const std::vector<BoltLine>& bolts, do
   const auto any = [&](const auto& is) { return std::ranges::any_of(bolts, is); };
   if (any([](const BoltLine& b) { return b.state == "elastic"; }))
     items.push_back(swatch(elastic, "bolt, at most " + quantity_text(largest, "N/m")));
-  if (any(is_at_bound)) items.push_back(swatch(at_bound, "bolt that yields or slips"));
+  if (any(is_at_bound)) items.push_back(swatch(at_bound, "bolt that yields, buckles or slips"));
   if (any([](const BoltLine& b) { return b.state == "torn"; })) items.push_back(swatch(torn, "torn bolt"));
   return items;
 }

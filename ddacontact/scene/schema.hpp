@@ -477,7 +477,7 @@ void describe(BoltRecord& r, Visit&& visit) {
             .required = true},
         b.young);
   visit(Key{.name = "yield_force",
-            .what = "The largest axial force of one bolt, in tension and in compression.",
+            .what = "The largest axial force of one bolt. In compression anchored ones buckle first.",
             .unit = "N",
             .bounds = positive,
             .default_text = "none: it stays elastic"},

@@ -65,8 +65,7 @@ class FrictionProblem {
   [[nodiscard]] bool factorize(const std::vector<ContactTerm>& contacts,
                                const std::vector<unsigned char>& active,
                                const std::vector<Coupling>& couplings = {});
-  /// correction = (last factorized)^-1 residual on the free unknowns, 0 on prescribed ones. The factor may be
-  /// of other matrices and springs than the present ones, of the same number of unknowns.
+  /// correction = (last factorized)^-1 residual on the free unknowns, 0 on prescribed ones.
   void solve(const VectorXd& residual, VectorXd& correction);
   /// b with 0 at prescribed degrees of freedom.
   VectorXd free_part(const VectorXd& b) const;

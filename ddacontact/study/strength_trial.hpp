@@ -47,7 +47,7 @@ struct StrengthTrial {
 };
 
 /// Steps until one of the limits decides. `stopped` when the stepper stops before, or where `given_up`, called
-/// after every trial step, returns true.
+/// before every step and after every trial step, returns true.
 StrengthTrial run_trial(Stepper& stepper, const TrialLimits& limits, const std::function<bool()>& given_up);
 
 }  // namespace ddacontact

@@ -13,7 +13,8 @@ namespace ddacontact {
 /// The first two blocks with supports that overlap since these move one or both: by more than a millionth of
 /// the smaller one's size, by more than `deepest_overlap` of it where one of them has free unknowns, and by as
 /// much more than they were drawn. Nothing where there are none.
-/// \param[in] gives_way  whether a joint with a stiffness, or a penalty, lets two blocks overlap
+/// \param[in] gives_way  whether a joint with a stiffness, a penalty or rounded corners in contact let two blocks
+///   overlap
 std::optional<Pair> find_driven_overlap(const BlockSystem& blocks, const BlockState& end,
                                         const std::function<bool(const Pair&)>& gives_way);
 

@@ -192,7 +192,8 @@ Stepper::Trial Stepper::make_trial(double dt) {
   if (!rejection_.empty()) return Trial::rejected;
   const auto gives_way = [&](const Pair& pair) {
     return std::ranges::any_of(of_pair(pair, trial_.contacts()), [&](const Contact& of) {
-      return !properties_.has_multipliers() || properties_.is_compliant(of);
+      return properties_.is_compliant(of) ||
+             (of.closed() && (!properties_.has_multipliers() || of.motion.rounding));
     });
   };
   if (const std::optional<Pair> overlap = find_driven_overlap(blocks_, end.state, gives_way)) {

@@ -107,6 +107,11 @@ TEST(BoltLaw, ABarBucklesAndBearsNoMoreCompression) {
     EXPECT_DOUBLE_EQ(forces.axial[3], std::max(-300., 8e7 * u / 0.1));
     EXPECT_EQ(forces.stiffness(3, 3) > 0, u == -1e-7);
     EXPECT_EQ(follow(bolt, elongation, numbers).dissipated, 0);
+    const VectorXd by = 1e-3 * u * VectorXd::Unit(10, 3);
+    const double derivative = (bolt_forces(bolt, numbers, elongation + by).stored -
+                               bolt_forces(bolt, numbers, elongation - by).stored) /
+                              (2 * by[3]);
+    EXPECT_NEAR(derivative, forces.axial[3], 1e-6 * 300);
   }
   EXPECT_EQ(numbers, new_numbers(bolt));
   EXPECT_DOUBLE_EQ(bolt_forces(bolt, numbers, VectorXd::Constant(10, 1e-5)).axial[3], 8e7 * 1e-4);

@@ -191,8 +191,9 @@ std::vector<VectorXd> all_solutions(const PointsOnSprings& step, const std::vect
       if (state(c) == 0) agrees = agrees && g >= -tolerance;
       if (state(c) > 0) agrees = agrees && N >= -tolerance;
       if (state(c) == 1) agrees = agrees && std::abs(T) <= contact.law.friction * N + tolerance;
-      if (state(c) == 2) agrees = agrees && s >= -tolerance;
-      if (state(c) == 3) agrees = agrees && s <= tolerance;
+      const double slid = gives_way ? s + T / contact.law.tangential_stiffness : s;
+      if (state(c) == 2) agrees = agrees && slid >= -tolerance;
+      if (state(c) == 3) agrees = agrees && slid <= tolerance;
     }
     if (agrees) solutions.push_back(d);
   }
