@@ -101,11 +101,17 @@ class Sweep {
 
   int n_cases() const { return static_cast<int>(cases_.rows.size()); }
 
+  /// Of the cases, or of the only one.
+  std::vector<int> unfinished() const {
+    std::vector<int> cases;
+    for (int k = 1; k <= n_cases(); ++k)
+      if ((arguments_.only == 0 || arguments_.only == k) && !is_finished(k)) cases.push_back(k);
+    return cases;
+  }
+
   /// The cases that are not finished, `jobs` at a time.
   void run() {
-    std::vector<int> waiting;
-    for (int k = 1; k <= n_cases(); ++k)
-      if ((arguments_.only == 0 || arguments_.only == k) && !is_finished(k)) waiting.push_back(k);
+    const std::vector<int> waiting = unfinished();
     if (!arguments_.quiet) say("{} of {} cases to run\n", waiting.size(), n_cases());
     std::map<pid_t, int> running;
     const auto wait_one = [&] {
@@ -129,13 +135,6 @@ class Sweep {
           if (!interruption()) running[start(k)] = k;
         },
         wait_one);
-  }
-  /// Cases that are not finished.
-  int n_left() const {
-    int n = 0;
-    for (int k = 1; k <= n_cases(); ++k)
-      n += (arguments_.only == 0 || arguments_.only == k) && !is_finished(k);
-    return n;
   }
 
   /// Of sweep.csv.
@@ -322,14 +321,6 @@ class Sweep {
   std::string scene_text_;  ///< with the files that it names
 };
 
-/// "X,Y" as two columns.
-std::pair<std::string, std::string> columns_of(const std::string& curve) {
-  const std::size_t comma = curve.find(',');
-  if (comma == 0 || comma == std::string::npos || comma + 1 == curve.size())
-    throw Error(fmt::format("--curve \"{}\" names no two columns (write X,Y)", curve));
-  return {curve.substr(0, comma), curve.substr(comma + 1)};
-}
-
 void tell_factors(const fs::path& directory, bool quiet) {
   const CsvTable table(directory / "sweep.csv");
   const FactorDistribution found = distribution_of(table.texts("factor_low"), table.texts("factor_high"));
@@ -342,8 +333,7 @@ void tell_factors(const fs::path& directory, bool quiet) {
 }
 
 int sweep_all(const SweepArguments& arguments) {
-  std::optional<std::pair<std::string, std::string>> curve;
-  if (!arguments.curve.empty()) curve = columns_of(arguments.curve);
+  const std::optional<std::pair<std::string, std::string>> curve = arguments.curve_columns();
   std::optional<MapColumns> map;
   if (!arguments.map.empty()) map = parse_map(arguments.map);
   Sweep sweep(arguments);
@@ -361,7 +351,7 @@ int sweep_all(const SweepArguments& arguments) {
     return done;
   }
   sweep.run();
-  if (const int left = interruption() ? sweep.n_left() : 0; left > 0) {
+  if (const std::size_t left = interruption() ? sweep.unfinished().size() : 0; left > 0) {
     print_error(
         fmt::format("interrupted by signal {}: {} of {} cases are left (the same call goes on with them)",
                     interruption(), left, sweep.n_cases()));

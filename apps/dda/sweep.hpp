@@ -3,7 +3,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace dda {
@@ -22,6 +24,8 @@ struct SweepArguments {
 
   /// Words that a case's `dda safety` is called with.
   std::vector<std::string> of_safety() const;
+  /// The two columns of `curve`. Throws Error where it names no two.
+  std::optional<std::pair<std::string, std::string>> curve_columns() const;
 };
 
 /// Adds the verb with its options.

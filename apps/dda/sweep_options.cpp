@@ -1,6 +1,9 @@
 #include "option_values.hpp"
 #include "sweep.hpp"
 
+#include <fmt/format.h>
+#include <polyfem/core/error.hpp>
+
 namespace dda {
 
 std::vector<std::string> SweepArguments::of_safety() const {
@@ -12,6 +15,14 @@ std::vector<std::string> SweepArguments::of_safety() const {
   add("--tolerance", tolerance);
   add("--joints", joints);
   return words;
+}
+
+std::optional<std::pair<std::string, std::string>> SweepArguments::curve_columns() const {
+  if (curve.empty()) return std::nullopt;
+  const std::size_t comma = curve.find(',');
+  if (comma == 0 || comma == std::string::npos || comma + 1 == curve.size())
+    throw polyfem::Error(fmt::format("--curve \"{}\" names no two columns (write X,Y)", curve));
+  return std::pair(curve.substr(0, comma), curve.substr(comma + 1));
 }
 
 void add_sweep(CLI::App& app, SweepArguments& arguments) {

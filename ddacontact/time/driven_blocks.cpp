@@ -20,10 +20,10 @@ double depth(const BlockSystem& blocks, const BlockState& state, int a, int b) {
 
 std::optional<Pair> find_driven_overlap(const BlockSystem& blocks, const BlockState& end,
                                         const std::function<bool(const Pair&)>& gives_way) {
+  if (std::ranges::none_of(blocks.prescribed_dofs(), &PrescribedDof::moves)) return {};
   std::vector<bool> is_driven(static_cast<std::size_t>(blocks.n_blocks()), false);
   for (const PrescribedDof& held : blocks.prescribed_dofs())
     if (held.moves()) is_driven[blocks.block_of_point(held.vertex)] = true;
-  if (std::ranges::count(is_driven, true) == 0) return {};
   std::vector<int> held;
   for (int b = 0; b < blocks.n_blocks(); ++b)
     if (blocks.is_present(b) && !blocks.is_free(b)) held.push_back(b);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <list>
 #include <random>
@@ -10,22 +11,6 @@
 using polyfem::DenseBlock;
 
 namespace {
-
-template <class Real>
-class DenseProduct : public testing::Test {
- protected:
-  /// A block of random numbers with a few rows of others below it.
-  DenseBlock<Real> block(int n_rows, int n_columns) {
-    std::vector<Real>& numbers = memory_.emplace_back(static_cast<std::size_t>((n_rows + 3) * n_columns));
-    for (Real& number : numbers) number = static_cast<Real>(std::uniform_real_distribution(-1., 1.)(random_));
-    return {numbers.data(), n_rows, n_columns, n_rows + 3};
-  }
-  std::vector<Real>& memory_of_last() { return memory_.back(); }
-
- private:
-  std::mt19937 random_{1};
-  std::list<std::vector<Real>> memory_;
-};
 
 /// C -= A B^T, the sums of four columns of A rounded one after the other, then those left over one by one.
 template <class Real>
@@ -42,6 +27,31 @@ void subtract_one_by_one(const DenseBlock<Real>& A, const DenseBlock<Real>& B, c
     }
 }
 
+template <class Real>
+class DenseProduct : public testing::Test {
+ protected:
+  /// A block of random numbers with a few rows of others below it.
+  DenseBlock<Real> block(int n_rows, int n_columns) {
+    std::vector<Real>& numbers = memory_.emplace_back(static_cast<std::size_t>((n_rows + 3) * n_columns));
+    for (Real& number : numbers) number = static_cast<Real>(std::uniform_real_distribution(-1., 1.)(random_));
+    return {numbers.data(), n_rows, n_columns, n_rows + 3};
+  }
+  /// C - A B^T by the library in C, the block made last, and in what is returned by plain loops.
+  std::vector<Real> subtract(const DenseBlock<Real>& A, const DenseBlock<Real>& B, const DenseBlock<Real>& C,
+                             bool is_lower, bool by_blas) {
+    const std::vector<Real> before = memory_.back();
+    subtract_one_by_one(A, B, C);
+    const std::vector<Real> expected = memory_.back();
+    std::ranges::copy(before, memory_.back().begin());
+    subtract_product(A, B, C, is_lower, by_blas);
+    return expected;
+  }
+
+ private:
+  std::mt19937 random_{1};
+  std::list<std::vector<Real>> memory_;
+};
+
 using Reals = testing::Types<float, double>;
 TYPED_TEST_SUITE(DenseProduct, Reals);
 
@@ -55,17 +65,12 @@ TYPED_TEST(DenseProduct, IsRoundedAsByPlainLoopsToTheBit) {
         for (const bool is_lower : {false, true}) {
           const DenseBlock<TypeParam> A = this->block(n_rows, n_terms), B = this->block(n_columns, n_terms),
                                       C = this->block(n_rows, n_columns);
-          std::vector<TypeParam>& memory = this->memory_of_last();
-          const std::vector<TypeParam> before = memory;
-          subtract_product(A, B, C, is_lower, false);
-          const std::vector<TypeParam> after = memory;
-          memory = before;
-          subtract_one_by_one(A, B, C);
+          const std::vector<TypeParam> expected = this->subtract(A, B, C, is_lower, false);
           for (int c = 0; c < n_columns; ++c)
             for (int r = 0; r < C.stride; ++r) {
               const auto at = static_cast<std::size_t>(c * C.stride + r);
               if (is_lower && r < c) continue;
-              ASSERT_EQ(after[at], memory[at]) << n_rows << ' ' << n_columns << ' ' << n_terms;
+              ASSERT_EQ(C.first[at], expected[at]) << n_rows << ' ' << n_columns << ' ' << n_terms;
             }
         }
 }
@@ -77,16 +82,11 @@ TYPED_TEST(DenseProduct, ByBlasAgreesToRoundOff) {
     const DenseBlock<TypeParam> A = this->block(n_rows, n_terms);
     const DenseBlock<TypeParam> B = is_square ? A : this->block(n_columns, n_terms),
                                 C = this->block(n_rows, n_columns);
-    std::vector<TypeParam>& memory = this->memory_of_last();
-    const std::vector<TypeParam> before = memory;
-    subtract_product(A, B, C, true, true);
-    const std::vector<TypeParam> after = memory;
-    memory = before;
-    subtract_one_by_one(A, B, C);
+    const std::vector<TypeParam> expected = this->subtract(A, B, C, true, true);
     for (int c = 0; c < n_columns; ++c)
       for (int r = c; r < n_rows; ++r) {
         const auto at = static_cast<std::size_t>(c * C.stride + r);
-        EXPECT_NEAR(after[at], memory[at], 30 * std::numeric_limits<TypeParam>::epsilon());
+        EXPECT_NEAR(C.first[at], expected[at], 30 * std::numeric_limits<TypeParam>::epsilon());
       }
   }
 }
