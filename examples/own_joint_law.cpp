@@ -57,7 +57,8 @@ double velocity_after_half_a_second(double mass) {
   Stepper stepper(std::move(system), std::move(start), contacts, analysis);
   for (int k = 0; k < 50; ++k)
     if (!stepper.step()) throw Error(stepper.stop_reason());
-  return rigid_velocity(stepper.blocks().block(1), stepper.state().velocity).linear.dot(down);
+  return rigid_velocity(stepper.blocks().block(1), stepper.state(), stepper.state().velocity)
+      .linear.dot(down);
 }
 
 int main() {

@@ -48,7 +48,8 @@ int main() {
     return 1;
   }
 
-  const Vec2 velocity = rigid_velocity(stepper.blocks().block(1), stepper.state().velocity).linear;
+  const Vec2 velocity =
+      rigid_velocity(stepper.blocks().block(1), stepper.state(), stepper.state().velocity).linear;
   const double v = velocity.dot(Vec2(std::cos(a), -std::sin(a)));
   const double exact = g * stepper.state().time * (std::sin(a) - std::cos(a) * friction);
   std::cout << "after " << stepper.state().time << " s: " << v << " m/s, by (53) " << exact << " m/s\n";

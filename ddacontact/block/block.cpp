@@ -18,12 +18,11 @@ Block::Block(const BlockMaterial& material, const PointsRef& points, int n_verti
       reference_(static_cast<std::size_t>(points.cols())),
       reference_area_(polyfem::signed_area(points.leftCols(n_vertices))),
       grid_(std::exp2(std::floor(std::log2(reference_area_) / 2))),
-      n_vertices_(n_vertices),
-      moments_(polyfem::area_moments(points.leftCols(n_vertices))) {
+      n_vertices_(n_vertices) {
   Points::Map(reference_.front().data(), 2, points.cols()) = points;
 }
 
-std::optional<BlockMotion> Block::motion() const {
+std::optional<BlockMotion> BlockStep::motion() const {
   return {};
 }
 
@@ -49,23 +48,22 @@ double Block::furthest_vertex(const VectorXd& d) const {
   return std::sqrt(furthest);
 }
 
-RigidModes Block::rigid_modes() const {
+VectorXd Block::rotation(const BlockState& state) const {
+  VectorXd unknowns(n_unknowns());
+  rotation(state, unknowns);
+  return unknowns;
+}
+
+RigidModes Block::rigid_modes(const BlockState& state) const {
   RigidModes modes;
   modes.resize(n_unknowns(), Eigen::NoChange);
-  modes << translations(), rotation();
+  modes.leftCols<2>() = translations();
+  rotation(state, modes.col(2));
   return modes;
 }
 
 Vec2 Block::grid_point(const Vec2& near) const {
   return grid_ * Vec2(std::round(near.x() / grid_), std::round(near.y() / grid_));
-}
-
-void Block::prepare(const BlockState& state) {
-  const auto points = points_.columns_of(state.position);
-  origin_ = state.origin.col(index_);
-  moments_ = polyfem::area_moments(points.leftCols(n_vertices_));
-  assert(points.allFinite() && moments_.area > 0);
-  prepare_shape(points);
 }
 
 void Block::follow_with_origin(BlockState& state) const {

@@ -2,7 +2,6 @@
 
 #include <ddacontact/block/corotational_motion.hpp>
 #include <ddacontact/core/for_all.hpp>
-#include <ddacontact/core/tolerances.hpp>
 
 #include <algorithm>
 #include <cassert>
@@ -11,16 +10,18 @@
 
 namespace ddacontact {
 
-BlockSystem::BlockSystem(std::vector<std::unique_ptr<Block>> blocks) : blocks_(std::move(blocks)) {
+BlockSystem::BlockSystem(std::vector<std::unique_ptr<Block>> blocks) {
   int n_points = 0;
-  names.reserve(blocks_.size());
-  for (const auto& block : blocks_) {
-    block->number(static_cast<int>(names.size()), n_points, n_unknowns_, n_stress_points_, n_coordinates_);
+  names.reserve(blocks.size());
+  blocks_.reserve(blocks.size());
+  for (std::unique_ptr<Block>& block : blocks) {
+    block->number(n_blocks(), n_points, n_unknowns_, n_stress_points_, n_coordinates_);
     n_points = block->points().end();
     n_unknowns_ = block->unknowns().end();
     n_stress_points_ = block->stress_points().end();
     n_coordinates_ = block->coordinates().end();
-    names.push_back(std::to_string(names.size()));
+    names.push_back(std::to_string(n_blocks()));
+    blocks_.push_back(std::move(block));
   }
   block_of_point_.reserve(static_cast<std::size_t>(n_points));
   block_of_unknown_.reserve(static_cast<std::size_t>(n_unknowns_));
@@ -123,8 +124,7 @@ void BlockSystem::number_equations() {
   free_.assign(n_blocks(), true);
   unchanging_.assign(n_blocks(), true);
   std::vector<bool> moved(n_unknowns_, true);
-  for (const PrescribedDof& h : prescribed_dofs_)
-    moved[h.unknown] = h.moves();
+  for (const PrescribedDof& h : prescribed_dofs_) moved[h.unknown] = h.moves();
   for (int b = 0; b < n_blocks(); ++b) {
     const Range& u = block(b).unknowns();
     if (!present_[b] || resting_[b]) {
@@ -154,9 +154,10 @@ BlockState BlockSystem::initial_state() const {
   return state;
 }
 
-void BlockSystem::prepare(const BlockState& state, bool first_time) {
+void BlockSystem::reshape(const BlockState& state, bool all) {
   for_all(n_blocks(), [&](int b) {
-    if (first_time || has_matrices(b)) blocks_[b]->prepare(state);
+    if (!all && !has_matrices(b)) return;
+    if (std::unique_ptr<const Block> reshaped = block(b).reshaped(state)) blocks_[b] = std::move(reshaped);
   });
 }
 
@@ -302,47 +303,6 @@ void BlockSystem::count_displacements_from(const BlockState& zero) {
 Points BlockSystem::outline_from(const BlockState& state, int b, int origin_of) const {
   const Vec2 shift = state.origin.col(b) - state.origin.col(origin_of);
   return block(b).outline(state).colwise() + shift;
-}
-
-void BlockSystem::begin_step(const BlockState& state, const StepStart& start) {
-  for_all(n_blocks(), [&](int b) {
-    if (has_matrices(b)) blocks_[b]->begin_step(state, start);
-  });
-}
-
-void BlockSystem::end_step(const VectorXd& d, const VectorXd& external, BlockState& next) const {
-  for_all(n_blocks(), [&](int b) {
-    if (is_unchanging(b)) return;
-    const Range& u = block(b).unknowns();
-    blocks_[b]->end_step(u.of(d), u.of(external), is_free(b), next);
-  });
-}
-
-VectorXd BlockSystem::displacement(const VectorXd& prescribed, VectorXd& d) const {
-  VectorXd displaced = d;
-  for_all(n_blocks(), [&](int b) {
-    if (is_unchanging(b)) return;
-    const Range& u = block(b).unknowns();
-    block(b).displacement(u.of(d), u.of(displaced));
-  });
-  // A point that turns with its block leaves the straight line that its support prescribes.
-  constexpr int most_rounds = 8;
-  for (int round = 0; round < most_rounds; ++round) {
-    std::vector<int> moved;
-    for (const PrescribedDof& held : prescribed_dofs_) {
-      const int b = block_of_unknown_[held.unknown];
-      const double error = displaced[held.unknown] - prescribed[held.unknown];
-      if (is_unchanging(b) || std::abs(error) <= few_ulps * block(b).size()) continue;
-      d[held.unknown] -= error;
-      if (moved.empty() || moved.back() != b) moved.push_back(b);
-    }
-    if (moved.empty()) break;
-    for (int b : moved) {
-      const Range& u = block(b).unknowns();
-      block(b).displacement(u.of(d), u.of(displaced));
-    }
-  }
-  return displaced;
 }
 
 Vec2 BlockSystem::interpolate(const MaterialPoint& point, const Points& at_points) const {

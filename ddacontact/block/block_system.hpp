@@ -172,8 +172,10 @@ class BlockSystem : public BlockActions {
   void restore(int b, double time);
   bool is_present(int b) const { return present_[b]; }
   int n_present() const { return static_cast<int>(std::ranges::count(present_, true)); }
-  /// Prepares the blocks that have matrices for a state; `first_time` includes all others.
-  void prepare(const BlockState& state, bool first_time = false);
+  /// Gives the blocks that have matrices the maps and matrices of their shapes in a state, where these change
+  /// with the shape (Block::reshaped).
+  /// \param[in] all  blocks without matrices too
+  void reshape(const BlockState& state, bool all = false);
 
   /// F += gravity, Eq. (23).
   void add_gravity(VectorXd& F) const;
@@ -222,15 +224,6 @@ class BlockSystem : public BlockActions {
   /// The displacement of a material point for unknowns d, or its velocity for velocities.
   Vec2 displacement(const MaterialPoint& point, const VectorXd& d) const;
 
-  /// Begins a step of every block that has matrices.
-  void begin_step(const BlockState& state, const StepStart& start);
-  /// Ends the step: see Block::end_step. Vectors of all unknowns.
-  void end_step(const VectorXd& d, const VectorXd& external, BlockState& next) const;
-  /// Displacements of all unknowns after d, see Block::displacement. Prescribed points are led to where they
-  /// should be: d is changed so that they are.
-  /// \param[in] prescribed  displacements of the prescribed degrees of freedom
-  VectorXd displacement(const VectorXd& prescribed, VectorXd& d) const;
-
   class Part;
 
  private:
@@ -247,7 +240,7 @@ class BlockSystem : public BlockActions {
   /// Inward normal of an edge, times its length, m.
   Vec2 inward(int b, int edge, const BlockState& state) const;
 
-  std::vector<std::unique_ptr<Block>> blocks_;
+  std::vector<std::unique_ptr<const Block>> blocks_;
   std::vector<RoundedBlock> rounded_;  ///< empty: corners are sharp
   BlockState start_, zero_;  ///< points and origins alone; zero_ is empty while displacements are counted
                              ///< from the start

@@ -1,12 +1,9 @@
 /// \file Blocks in a frame that turns with them: displacements from the reference shape, exact rotations.
 #pragma once
 
-#include <ddacontact/block/block_motion.hpp>
-#include <ddacontact/block/corotational_step.hpp>
+#include <ddacontact/block/corotational_shape.hpp>
 
 #include <memory>
-#include <optional>
-#include <span>
 #include <vector>
 
 namespace ddacontact {
@@ -16,8 +13,10 @@ namespace ddacontact {
 class CorotationalBlock final : public Block {
  public:
   CorotationalBlock(const BlockMaterial& material, const PointsRef& points,
-                    std::shared_ptr<const CorotationalShape> shape);
+                    std::shared_ptr<const CorotationalShape> shape)
+      : Block(material, points, shape->n_outline), shape_(std::move(shape)) {}
 
+  std::unique_ptr<Block> copy() const override { return std::make_unique<CorotationalBlock>(*this); }
   const CorotationalShape* shape() const override { return shape_.get(); }
   int n_coordinates() const override {
     return BlockState::n_rigid + 2 * static_cast<int>(shape_->nodes.cols());
@@ -31,23 +30,14 @@ class CorotationalBlock final : public Block {
   const Eigen::Matrix<double, Eigen::Dynamic, 2>& translations() const override {
     return shape_->translations;
   }
+  using Block::rotation;
+  void rotation(const BlockState& state, Eigen::Ref<VectorXd> unknowns) const override;
   MatrixXd times_mass(const Eigen::Ref<const MatrixXd>& velocities) const override;
   void add_body_force(const Vec2& b, VectorXd& F) const override;
-  void begin_step(const BlockState& state, const StepStart& start) override;
-  void free_path(Eigen::Ref<VectorXd> path) const override;
-  void forces(const Eigen::Ref<const VectorXd>& d, BlockForces& forces) const override;
+  void begin_step(const BlockState& state, const StepStart& start,
+                  std::unique_ptr<BlockStep>& step) const override;
   int n_parts() const override { return n_cells(); }
   std::vector<int> part_unknowns(int part) const override { return shape_->cells[part].unknowns; }
-  using Block::tangent;
-  void tangent(const Eigen::Ref<const VectorXd>& d, std::span<MatrixXd> parts) const override;
-  void add_change(const Eigen::Ref<const VectorXd>& change, Eigen::Ref<VectorXd> d) const override;
-  void end_step(const Eigen::Ref<const VectorXd>& d, const Eigen::Ref<const VectorXd>& external, bool is_free,
-                BlockState& next) const override;
-  void displacement(const Eigen::Ref<const VectorXd>& d, Eigen::Ref<VectorXd> displaced) const override;
-  std::optional<BlockMotion> motion() const override;
-  double stored_energy(const Eigen::Ref<const VectorXd>& d) const override;
-  double elastic_loss(const Eigen::Ref<const VectorXd>& d,
-                      const Eigen::Ref<const VectorXd>& elastic) const override;
   double kinetic_energy(const Eigen::Ref<const VectorXd>& velocity) const override;
   Tensors stress(const BlockState& state) const override;
   double elastic_energy(const BlockState& state) const override;
@@ -60,9 +50,8 @@ class CorotationalBlock final : public Block {
 
  private:
   using Frame = polyfem::CorotatedFrame;
+  class Step;
 
-  void prepare_shape(const PointsRef& points) override;
-  void map_points();
   double elastic_energy_of_deformation(const BlockState& state) const;
   Points nodes(const BlockState& state) const;
   Frame cell_frame(const BlockState& state, const Points& y, int c) const;
@@ -71,13 +60,8 @@ class CorotationalBlock final : public Block {
   TensorsRef initial_stress(const BlockState& state, int c) const;
   /// The stress in the cell's own frame.
   Tensors cell_stresses(const BlockState& state, const Frame& frame, int c) const;
-  /// work(nodes, the step last begun)
-  template <class Work>
-  auto with_step(const Work& work) const;
 
   std::shared_ptr<const CorotationalShape> shape_;
-  std::vector<std::vector<PointMap::Term>> point_maps_;  ///< empty: each point has two unknowns of its own
-  CorotationalStart start_;                              ///< of the step last begun
 };
 
 }  // namespace ddacontact

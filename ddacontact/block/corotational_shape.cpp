@@ -93,9 +93,35 @@ void find_unknowns(CorotationalShape& shape) {
   }
 }
 
+/// What moves each point, unless it has unknowns of its own.
+void find_point_maps(CorotationalShape& shape) {
+  if (shape.points.size() == 0 && !shape.has_basis()) return;
+  const auto add = [&](Index node, double weight, std::vector<PointMap::Term>& terms) {
+    for (int axis = 0; axis < 2; ++axis) {
+      const Index row = 2 * node + axis;
+      const Vec2 column = weight * Vec2::Unit(axis);
+      if (!shape.has_basis()) {
+        add_term(static_cast<int>(row), column, terms);
+        continue;
+      }
+      for (decltype(shape.basis)::InnerIterator entry(shape.basis, row); entry; ++entry)
+        add_term(static_cast<int>(entry.col()), entry.value() * column, terms);
+    }
+  };
+  const bool are_nodes = shape.points.size() == 0;
+  shape.point_maps.resize(static_cast<std::size_t>(are_nodes ? shape.nodes.cols() : shape.points.rows()));
+  for (Index point = 0; point < static_cast<Index>(shape.point_maps.size()); ++point) {
+    std::vector<PointMap::Term>& terms = shape.point_maps[static_cast<std::size_t>(point)];
+    if (are_nodes) add(point, 1, terms);
+    for (Index a = 0; a < shape.points.cols(); ++a)
+      if (shape.points(point, a) != 0) add(a, shape.points(point, a), terms);
+  }
+}
+
 /// What follows from nodes, cells and maps.
 void complete(CorotationalShape& shape) {
   find_unknowns(shape);
+  find_point_maps(shape);
   int n_points = 0, n_nodes = 0;
   for (ShapeCell& cell : shape.cells) {
     cell.first_point = n_points;

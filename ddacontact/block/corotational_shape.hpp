@@ -50,7 +50,9 @@ struct CorotationalShape {
   Eigen::Matrix<double, Eigen::Dynamic, 2> translations{};  ///< see Block::translations
   VectorXd mass_of_translation{};                           ///< M t
   double mass_total = 0;                                    ///< t M t
-  VectorXd integration_weights{};                           ///< of the points of all cells
+  /// Of every point, by the unknowns; empty: each point has two unknowns of its own.
+  std::vector<std::vector<PointMap::Term>> point_maps{};
+  VectorXd integration_weights{};  ///< of the points of all cells
 
   /// The shape in its own frame, found when it is first requested. Any thread may ask.
   const MotionShape& motions() const {

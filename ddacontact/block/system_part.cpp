@@ -12,44 +12,32 @@ void append(const Range& range, std::vector<int>& numbers) {
   for (int k = range.first; k < range.end(); ++k) numbers.push_back(k);
 }
 
-}  // namespace
-
-BlockSystem::Part::Part(BlockSystem& whole, std::vector<int> blocks, const std::vector<char>& resting)
-    : blocks_(std::move(blocks)) {
-  number_blocks(whole, resting);
-  take_starts(whole);
-  take_actions(whole);
-  take_bolts(whole);
-  system_.blocks_.resize(blocks_.size());
-  pass_blocks(whole, in_whole_, system_, in_part_);
-  system_.number_equations();
-  pass_blocks(system_, in_part_, whole, in_whole_);
+std::vector<std::unique_ptr<Block>> copies(const BlockSystem& whole, const std::vector<int>& of) {
+  std::vector<std::unique_ptr<Block>> blocks;
+  for (int b : of) blocks.push_back(whole.block(b).copy());
+  return blocks;
 }
 
-void BlockSystem::Part::number_blocks(const BlockSystem& whole, const std::vector<char>& resting) {
-  const auto size = [](const std::vector<int>& numbers) { return static_cast<int>(numbers.size()); };
-  for (int b : blocks_) {
+}  // namespace
+
+BlockSystem::Part::Part(const BlockSystem& whole, std::vector<int> blocks, const std::vector<char>& resting)
+    : blocks_(std::move(blocks)), system_(copies(whole, blocks_)) {
+  for (std::size_t k = 0; k < blocks_.size(); ++k) {
+    const int b = blocks_[k];
     const Block& block = whole.block(b);
-    const auto k = static_cast<int>(in_part_.size());
-    in_whole_.push_back({b, block.points().first, block.unknowns().first, block.stress_points().first,
-                         block.coordinates().first});
-    in_part_.push_back({k, size(points_), size(unknowns_), size(stress_points_), size(coordinates_)});
     append(block.points(), points_);
     append(block.unknowns(), unknowns_);
     append(block.stress_points(), stress_points_);
     append(block.coordinates(), coordinates_);
-    system_.block_of_point_.resize(points_.size(), k);
-    system_.block_of_unknown_.resize(unknowns_.size(), k);
-    resting_.push_back(resting[b] != 0);
-    system_.names.push_back(whole.names[b]);
+    system_.names[k] = whole.names[b];
+    system_.resting_[k] = resting[b] != 0;
     if (whole.has_rounded_corners()) system_.rounded_.push_back(whole.rounded(b));
   }
-  system_.n_unknowns_ = size(unknowns_);
-  system_.n_stress_points_ = size(stress_points_);
-  system_.n_coordinates_ = size(coordinates_);
-  system_.present_.assign(blocks_.size(), true);
-  system_.resting_ = resting_;
   system_.computes_fixed_ = whole.computes_fixed_;
+  take_starts(whole);
+  take_actions(whole);
+  take_bolts(whole);
+  system_.number_equations();
 }
 
 void BlockSystem::Part::take_starts(const BlockSystem& whole) {
@@ -64,7 +52,7 @@ void BlockSystem::Part::take_starts(const BlockSystem& whole) {
 void BlockSystem::Part::take_actions(const BlockSystem& whole) {
   const auto number_where_moving = [&](int block) {
     const int k = number_of(block);
-    return k >= 0 && !resting_[k] ? k : -1;
+    return k >= 0 && !is_resting(k) ? k : -1;
   };
   const auto take = [&](auto& own, const auto& all) {
     for (auto action : all) {
@@ -79,14 +67,15 @@ void BlockSystem::Part::take_actions(const BlockSystem& whole) {
   system_.ground = whole.ground;
   for (PrescribedDof held : whole.prescribed_dofs_)
     if (const int k = number_where_moving(whole.block_of_point_[held.vertex]); k >= 0) {
-      held.unknown += in_part_[k].unknown - in_whole_[k].unknown;
-      held.vertex += in_part_[k].point - in_whole_[k].point;
+      const Block &own = system_.block(k), &same = whole.block(blocks_[k]);
+      held.unknown += own.unknowns().first - same.unknowns().first;
+      held.vertex += own.points().first - same.points().first;
       system_.prescribed_dofs_.push_back(std::move(held));
     }
   if (whole.fading.forces.size() == 0) return;
   system_.fading = {whole.fading.forces(unknowns_), whole.fading.from, whole.fading.to};
   for (int u = 0; u < system_.n_unknowns_; ++u)
-    if (resting_[system_.block_of_unknown_[u]]) system_.fading.forces[u] = 0;
+    if (is_resting(system_.block_of_unknown_[u])) system_.fading.forces[u] = 0;
 }
 
 void BlockSystem::Part::take_bolts(const BlockSystem& whole) {
@@ -110,17 +99,8 @@ int BlockSystem::Part::number_of(int block) const {
   return found != blocks_.end() && *found == block ? static_cast<int>(found - blocks_.begin()) : -1;
 }
 
-void BlockSystem::Part::pass_blocks(BlockSystem& from, const std::vector<Place>& here, BlockSystem& to,
-                                    const std::vector<Place>& there) {
-  for (std::size_t k = 0; k < here.size(); ++k) {
-    const Place& at = there[k];
-    to.blocks_[at.block] = std::move(from.blocks_[here[k].block]);
-    to.blocks_[at.block]->number(at.block, at.point, at.unknown, at.stress_point, at.coordinate);
-  }
-}
-
-template <class Move>
-void BlockSystem::Part::for_arrays(BlockState& whole, BlockState& part, const Move& move) const {
+template <class Whole, class Own, class Move>
+void BlockSystem::Part::for_arrays(Whole& whole, Own& part, const Move& move) const {
   // Spans: an indexed view keeps a copy of what it is indexed by.
   using Numbers = std::span<const int>;
   const Numbers blocks = blocks_, points = points_, unknowns = unknowns_;
@@ -139,20 +119,18 @@ void BlockSystem::Part::for_arrays(BlockState& whole, BlockState& part, const Mo
   move(whole.bolts(Numbers(bolt_numbers_)), part.bolts);
 }
 
-void BlockSystem::Part::put_in(BlockSystem& system, BlockState& state) {
-  system_.gravity = system.gravity;
-  system_.end_time = system.end_time;
+void BlockSystem::Part::read(const BlockSystem& whole, const BlockState& state) {
+  system_.gravity = whole.gravity;
+  system_.end_time = whole.end_time;
   for_arrays(state, state_, [](const auto& of_whole, auto& of_part) { of_part = of_whole; });
-  pass_blocks(system, in_whole_, system_, in_part_);
-  std::swap(system, system_);
-  std::swap(state, state_);
+  system_.reshape(state_);
 }
 
-void BlockSystem::Part::take_out(BlockSystem& system, BlockState& state) {
-  std::swap(system, system_);
-  std::swap(state, state_);
-  pass_blocks(system_, in_part_, system, in_whole_);
+void BlockSystem::Part::write(BlockSystem& whole, BlockState& state) const {
   for_arrays(state, state_, [](auto&& of_whole, const auto& of_part) { of_whole = of_part; });
+  for (int b : blocks_)
+    if (std::unique_ptr<const Block> reshaped = whole.block(b).reshaped(state))
+      whole.blocks_[b] = std::move(reshaped);
 }
 
 }  // namespace ddacontact

@@ -27,7 +27,9 @@ Mat2 gradient(int unknown) {
 
 AffineBlock::AffineBlock(const BlockMaterial& material, const PointsRef& outline,
                          const std::optional<ControlVertices>& control)
-    : IncrementalBlock(material, outline), control_(control), vertex_maps_(outline.cols()) {}
+    : IncrementalBlock(material, outline), control_(control), vertex_maps_(outline.cols()) {
+  AffineBlock::take_shape(outline);
+}
 
 VectorXd AffineBlock::unknown_lengths() const {
   VectorXd lengths = VectorXd::Ones(n_unknowns());
@@ -35,8 +37,9 @@ VectorXd AffineBlock::unknown_lengths() const {
   return lengths;
 }
 
-void AffineBlock::prepare_shape(const PointsRef& outline) {
-  const Vec2& centroid = moments().centroid;
+void AffineBlock::take_shape(const PointsRef& outline) {
+  moments_ = polyfem::area_moments(outline);
+  const Vec2& centroid = moments_.centroid;
   Mat6 displacements = Mat6::Identity();  // of the control vertices, if there are any, by the unknowns (1)
   basis_ = displacements;
   if (control_) {
@@ -47,13 +50,13 @@ void AffineBlock::prepare_shape(const PointsRef& outline) {
     basis_ = displacements.inverse();
   }
   translations_ = displacements.leftCols<2>();
-  new_rotation() = displacements.col(2);
+  rotation_ = displacements.col(2);
   for (int v = 0; v < n_vertices(); ++v) {
     const Transformation map = transformation(outline.col(v) - centroid) * basis_;
     for (int k = 0; k < n_unknowns(); ++k) vertex_maps_[v][k] = {k, map.col(k)};
   }
 
-  const double area = moments().area;
+  const double area = moments_.area;
   Mat6 K = Mat6::Zero();
   K.bottomRightCorner<n_strains, n_strains>() = area * material().elasticity;
   stiffness_ = basis_.transpose() * K * basis_;
@@ -62,8 +65,8 @@ void AffineBlock::prepare_shape(const PointsRef& outline) {
   M.topLeftCorner<2, 2>() = area * Mat2::Identity();
   for (int i = 2; i < n_unknowns(); ++i)
     for (int j = 2; j < n_unknowns(); ++j)
-      M(i, j) = (gradient(i) * moments().second * gradient(j).transpose()).trace();
-  mass_ = current_density() * basis_.transpose() * M * basis_;
+      M(i, j) = (gradient(i) * moments_.second * gradient(j).transpose()).trace();
+  mass_ = density_on(moments_) * basis_.transpose() * M * basis_;
 
   integration_weights_ = VectorXd::Constant(1, area);
 }
@@ -74,7 +77,7 @@ PointMap AffineBlock::vertex_map(int vertex) const {
 
 void AffineBlock::add_stress_forces(const BlockState& state, VectorXd& F) const {
   const Vec3 stress = state.stress.col(stress_points().first);
-  unknowns().of(F) -= moments().area * basis_.bottomRows<n_strains>().transpose() * stress;
+  unknowns().of(F) -= moments_.area * basis_.bottomRows<n_strains>().transpose() * stress;
 }
 
 void AffineBlock::add_body_force(const Vec2& b, VectorXd& F) const {
@@ -88,7 +91,7 @@ void AffineBlock::add_stress(const VectorXd& d, Tensors& stress) const {
 
 Points AffineBlock::strain_displacement(const BlockState& state) const {
   const Vec3 strain = compliance() * state.stress.col(stress_points().first);
-  return uniform_strain_displacement(outline(state), moments().centroid, strain);
+  return uniform_strain_displacement(outline(state), moments(state).centroid, strain);
 }
 
 }  // namespace ddacontact

@@ -5,6 +5,7 @@
 #include <ddacontact/classic/incremental_block.hpp>
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -20,6 +21,7 @@ class AffineBlock final : public IncrementalBlock {
   AffineBlock(const BlockMaterial& material, const PointsRef& outline,
               const std::optional<ControlVertices>& control = std::nullopt);
 
+  std::unique_ptr<Block> copy() const override { return std::make_unique<AffineBlock>(*this); }
   int n_unknowns() const override { return Transformation::ColsAtCompileTime; }
   int n_stress_points() const override { return 1; }
   VectorXd unknown_lengths() const override;
@@ -33,9 +35,10 @@ class AffineBlock final : public IncrementalBlock {
  private:
   using Mat6 = Eigen::Matrix<double, Transformation::ColsAtCompileTime, Transformation::ColsAtCompileTime>;
 
-  void prepare_shape(const PointsRef& outline) override;
+  void take_shape(const PointsRef& outline) override;
 
   std::optional<ControlVertices> control_;
+  polyfem::AreaMoments moments_;
   Mat6 basis_;  ///< (1) = basis_ * unknowns
   std::vector<std::array<PointMap::Term, PointMap::capacity>>
       vertex_maps_;  ///< T (3) * basis_ at each outline vertex

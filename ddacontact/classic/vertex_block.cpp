@@ -11,7 +11,9 @@ namespace ddacontact {
 VertexBlock::VertexBlock(const BlockMaterial& material, const PointsRef& outline,
                          const Integration& integration, const polyfem::Basis& basis)
     : IncrementalBlock(material, outline), integration_(integration), basis_(&basis) {
-  if (!polyfem::is_star_shaped(outline, moments().centroid)) ears_ = polyfem::triangulate(outline);
+  if (!polyfem::is_star_shaped(outline, polyfem::area_moments(outline).centroid))
+    ears_ = polyfem::triangulate(outline);
+  VertexBlock::take_shape(outline);
 }
 
 const polyfem::Basis& VertexBlock::usable_basis(const PointsRef& outline) const {
@@ -30,7 +32,8 @@ int VertexBlock::n_stress_points() const {
          static_cast<int>(integration_.triangle_rule->weights.size());
 }
 
-void VertexBlock::prepare_shape(const PointsRef& outline) {
+void VertexBlock::take_shape(const PointsRef& outline) {
+  moments_ = polyfem::area_moments(outline);
   polyfem::PolygonRule rule;
   if (ears_.cols() == 0)
     polyfem::make_fan_rule(outline, *integration_.triangle_rule, rule);
@@ -39,16 +42,16 @@ void VertexBlock::prepare_shape(const PointsRef& outline) {
   tabulate(outline, rule, usable_basis(outline), integration_.correction, element_);
   polyfem::stiffness(element_, material().elasticity, stiffness_);
   polyfem::mass(element_, mass_);
-  mass_ *= current_density();
+  mass_ *= density_on(moments_);
   polyfem::shape_integrals(element_, shape_integrals_);
   integration_weights_ = element_.rule.weights;
 
   translations_.resize(n_unknowns(), 2);
-  auto rotation = new_rotation();
+  rotation_.resize(n_unknowns());
   for (int i = 0; i < n_vertices(); ++i) {
-    const Vec2 r = outline.col(i) - moments().centroid;
+    const Vec2 r = outline.col(i) - moments_.centroid;
     translations_.middleRows<2>(2 * i).setIdentity();
-    rotation.segment<2>(2 * i) << -r.y(), r.x();
+    rotation_.segment<2>(2 * i) << -r.y(), r.x();
   }
 }
 
@@ -63,7 +66,7 @@ void VertexBlock::add_stress_forces(const BlockState& state, VectorXd& F) const 
 }
 
 void VertexBlock::add_body_force(const Vec2& b, VectorXd& F) const {
-  const Vec2 current = b * (reference_area() / moments().area);
+  const Vec2 current = b * (reference_area() / moments_.area);
   for (int i = 0; i < n_vertices(); ++i)
     F.segment<2>(unknowns().first + 2 * i) += shape_integrals_[i] * current;
 }

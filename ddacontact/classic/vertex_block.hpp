@@ -6,6 +6,8 @@
 #include <polyfem/basis/wachspress.hpp>
 #include <polyfem/element/tabulated_element.hpp>
 
+#include <memory>
+
 namespace ddacontact {
 
 /// A block interpolated by (6), or by mean value functions, on its current shape, as stiff and as heavy as
@@ -19,6 +21,7 @@ class VertexBlock final : public IncrementalBlock {
   VertexBlock(const BlockMaterial& material, const PointsRef& outline)
       : VertexBlock(material, outline, choose_integration(outline, polyfem::GradientCorrection::on)) {}
 
+  std::unique_ptr<Block> copy() const override { return std::make_unique<VertexBlock>(*this); }
   int n_unknowns() const override { return 2 * n_vertices(); }
   int n_stress_points() const override;
   VectorXd unknown_lengths() const override { return VectorXd::Ones(n_unknowns()); }
@@ -28,16 +31,17 @@ class VertexBlock final : public IncrementalBlock {
   void add_stress(const VectorXd& d, Tensors& stress) const override;
   Points strain_displacement(const BlockState& state) const override;
   BlockCell cell(int c) const override;
-  Points integration_points() const override { return element_.rule.points.colwise() - moments().centroid; }
+  Points integration_points() const override { return element_.rule.points.colwise() - moments_.centroid; }
 
  private:
-  void prepare_shape(const PointsRef& outline) override;
+  void take_shape(const PointsRef& outline) override;
 
   const polyfem::Basis& usable_basis(const PointsRef& outline) const;
 
   Integration integration_;
   const polyfem::Basis* basis_;
   polyfem::Triangles ears_;  ///< triangles that carry the integration points; none: the centroid fan does
+  polyfem::AreaMoments moments_;
   polyfem::TabulatedElement element_;
   VectorXd shape_integrals_;
 };

@@ -32,7 +32,7 @@ void ContactBuilder::load_joint(const BlockState& state, Contact& contact) const
   int n_moving = 0;
   for (const int b : contact.pair.blocks())
     if (!blocks_.is_unchanging(b)) {
-      stress += stress_at(blocks_.block(b), state, place - blocks_.block(b).centroid());
+      stress += stress_at(blocks_.block(b), state, place - blocks_.block(b).centroid(state));
       ++n_moving;
     }
   if (stress.isZero(0)) return;

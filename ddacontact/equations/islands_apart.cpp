@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
-#include <optional>
 #include <utility>
 
 namespace ddacontact {
@@ -97,18 +96,21 @@ void balance_at_rest(const BlockSystem& blocks, const std::vector<Contact>& cont
 struct IslandsApart::Island {
   std::vector<int> blocks;    ///< and those at rest that they may touch, ascending
   std::vector<int> contacts;  ///< of the step
-  std::optional<BlockSystem::Part> part;
-  std::optional<StepSystem> system;
+  BlockSystem::Part part;
+  StepSystem system{part.system()};
+
+  Island(const BlockSystem& whole, const std::vector<int>& of_blocks, const std::vector<char>& resting)
+      : blocks(of_blocks), part(whole, of_blocks, resting) {}
 
   /// Of the part's unknowns.
-  VectorXd of_part(const VectorXd& of_all) const { return of_all(part->unknowns()); }
+  VectorXd of_part(const VectorXd& of_all) const { return of_all(part.unknowns()); }
 
-  Contact to_part(const BlockSystem& system_of_part, Contact contact) const {
+  Contact to_part(Contact contact) const {
     VertexEdge& pair = contact.pair;
-    pair.vertex_block = part->number_of(pair.vertex_block);
-    pair.edge_block = part->number_of(pair.edge_block);
-    const Block& edge_block = system_of_part.block(pair.edge_block);
-    const Block& vertex_block = system_of_part.block(pair.vertex_block);
+    pair.vertex_block = part.number_of(pair.vertex_block);
+    pair.edge_block = part.number_of(pair.edge_block);
+    const Block& edge_block = part.system().block(pair.edge_block);
+    const Block& vertex_block = part.system().block(pair.vertex_block);
     contact.motion.i = vertex_block.vertex_map(pair.vertex);
     if (contact.motion.rounding) {
       Rounding rounding = *contact.motion.rounding;
@@ -133,14 +135,14 @@ struct IslandsApart::Island {
     report.sweep_fallbacks += of_own.sweep_fallbacks;
     Residual& residual = report.residual;
     const Residual& own = of_own.residual;
-    residual.force(part->unknowns()) = own.force;
-    residual.external(part->unknowns()) = own.external;
+    residual.force(part.unknowns()) = own.force;
+    residual.external(part.unknowns()) = own.external;
     for (double Residual::*measure :
          {&Residual::largest, &Residual::scale, &Residual::round_off, &Residual::over_round_off})
       residual.*measure = std::max(residual.*measure, own.*measure);
     if (!(own.block_relative > residual.block_relative)) return;
     residual.block_relative = own.block_relative;
-    residual.worst_block = own.worst_block < 0 ? -1 : part->blocks()[own.worst_block];
+    residual.worst_block = own.worst_block < 0 ? -1 : part.blocks()[own.worst_block];
   }
 };
 
@@ -151,7 +153,7 @@ void IslandsApart::clear() {
   islands_.clear();
 }
 
-bool IslandsApart::divide(BlockSystem& blocks, const std::vector<Contact>& contacts) {
+bool IslandsApart::divide(const BlockSystem& blocks, const std::vector<Contact>& contacts) {
   std::vector<Members> members = find_islands(blocks, contacts);
   if (members.size() < 2) return false;
   std::map<std::vector<int>, std::unique_ptr<Island>> before;
@@ -161,22 +163,18 @@ bool IslandsApart::divide(BlockSystem& blocks, const std::vector<Contact>& conta
   for (int b = 0; b < blocks.n_blocks(); ++b) resting[b] = blocks.is_unchanging(b);
   for (auto& [of_island, its_contacts] : members) {
     sort_once(of_island);
-    if (const auto same = before.find(of_island); same != before.end()) {
-      islands_.push_back(std::move(same->second));
-    } else {
-      islands_.push_back(std::make_unique<Island>());
-      islands_.back()->blocks = of_island;
-      islands_.back()->part.emplace(blocks, of_island, resting);
-    }
+    const auto same = before.find(of_island);
+    islands_.push_back(same != before.end() ? std::move(same->second)
+                                            : std::make_unique<Island>(blocks, of_island, resting));
     islands_.back()->contacts = std::move(its_contacts);
   }
   return true;
 }
 
-ContactSolverReport IslandsApart::solve(BlockState& state, const StepStart& start, StepSystem& whole,
-                                        const ContactSolverOptions& options, std::vector<Contact>& contacts,
-                                        VectorXd& d) {
-  BlockSystem& blocks = whole.blocks();
+ContactSolverReport IslandsApart::solve(const BlockState& state, const StepStart& start,
+                                        const StepSystem& whole, const ContactSolverOptions& options,
+                                        std::vector<Contact>& contacts, VectorXd& d) {
+  const BlockSystem& blocks = whole.blocks();
   work_ = {};
   ContactSolverReport report;
   report.status = SolutionStatus::settled;
@@ -185,20 +183,18 @@ ContactSolverReport IslandsApart::solve(BlockState& state, const StepStart& star
   residual.force = -residual.external;
   const VectorXd start_d = std::exchange(d, whole.prescribed());
   for (const std::unique_ptr<Island>& island : islands_) {
-    BlockSystem::Part& part = *island->part;
-    StepStart of_part{start.rule, start.dt, island->of_part(start.velocity),
-                      island->of_part(start.acceleration)};
-    part.put_in(blocks, state);
-    if (!island->system) island->system.emplace(blocks);
-    StepSystem& system = *island->system;
+    BlockSystem::Part& part = island->part;
+    const StepStart of_part{start.rule, start.dt, island->of_part(start.velocity),
+                            island->of_part(start.acceleration)};
+    part.read(blocks, state);
+    StepSystem& system = island->system;
     const polyfem::CholeskyWork before = system.problem().cholesky().work();
-    system.set_step(state, of_part, whole.fixed_point_stiffness());
+    system.set_step(part.state(), of_part, whole.fixed_point_stiffness());
     system.problem().keep_factor(options.skip.unchanged_factor);
     std::vector<Contact> own;
-    for (int c : island->contacts) own.push_back(island->to_part(blocks, contacts[c]));
+    for (int c : island->contacts) own.push_back(island->to_part(contacts[c]));
     VectorXd own_d = island->of_part(start_d);
     const ContactSolverReport of_own = solve_contacts(system, options, own, own_d);
-    part.take_out(blocks, state);
     work_ += system.problem().cholesky().work().since(before);
     for (std::size_t c = 0; c < own.size(); ++c) {
       Contact& contact = contacts[island->contacts[c]];

@@ -19,13 +19,12 @@ class IslandsApart {
   ~IslandsApart();
 
   /// Divides the blocks into islands; false: there are not two of them.
-  bool divide(BlockSystem& blocks, const std::vector<Contact>& contacts);
+  bool divide(const BlockSystem& blocks, const std::vector<Contact>& contacts);
   /// Solves the step as solve_contacts does, island by island, each by its own system.
-  /// \param[in,out] state  as it was
-  /// \param[in,out] whole  with the step begun, and its blocks as they were
-  /// \param[in,out] d      of all unknowns; where to start
+  /// \param[in] whole  with the step begun
+  /// \param[in,out] d  of all unknowns; where to start
   /// \return the largest counts of any island, the worst of their residuals, and the first failure
-  ContactSolverReport solve(BlockState& state, const StepStart& start, StepSystem& whole,
+  ContactSolverReport solve(const BlockState& state, const StepStart& start, const StepSystem& whole,
                             const ContactSolverOptions& options, std::vector<Contact>& contacts, VectorXd& d);
   /// Forgets the systems: blocks have other numbers, or others take part.
   void clear();

@@ -19,16 +19,13 @@ constexpr double units = 64, floor_factor = units * std::numeric_limits<double>:
 /// A change moves no block further than this part of its size.
 constexpr double largest_move = 0.25;
 
-/// Whether an unknown of the block by itself moves it without straining it.
-bool moves_as_a_whole(const Block& block, int unknown) {
-  const auto is_by_itself = [&](const auto& mode) {
-    bool by_itself = mode[unknown] != 0;
-    for (Index k = 0; by_itself && k < mode.size(); ++k) by_itself = k == unknown || mode[k] == 0;
-    return by_itself;
-  };
-  const auto& translations = block.translations();
-  return is_by_itself(translations.col(0)) || is_by_itself(translations.col(1)) ||
-         is_by_itself(block.rotation());
+/// Marks the unknowns of a block that by themselves move it without straining it.
+void mark_motions_of_the_whole(const RigidModes& modes, char* marks) {
+  for (const auto& mode : modes.colwise()) {
+    Index unknown = 0;
+    mode.cwiseAbs().maxCoeff(&unknown);
+    if ((mode.array() != 0).count() == 1) marks[unknown] = 1;
+  }
 }
 
 /// The shape when loads act, if the motion at the start goes on.
@@ -45,14 +42,17 @@ BlockState predicted(const BlockSystem& blocks, const BlockState& state, const S
 
 }  // namespace
 
-StepSystem::StepSystem(BlockSystem& blocks)
+StepSystem::StepSystem(const BlockSystem& blocks)
     : blocks_(blocks),
+      steps_(static_cast<std::size_t>(blocks.n_blocks())),
       unknown_lengths_(blocks.n_unknowns()),
+      moves_as_a_whole_(static_cast<std::size_t>(blocks.n_unknowns()), 0),
       problem_(blocks.equation(), blocks.n_equations()) {
   polyfem::Connectivity elements;  // the parts of the assembled blocks, one after another
   for (int b = 0; b < blocks.n_blocks(); ++b) {
     const Range& u = blocks.block(b).unknowns();
     u.of(unknown_lengths_) = blocks.block(b).unknown_lengths();
+    mark_motions_of_the_whole(blocks.block(b).rigid_modes(blocks.drawn()), &moves_as_a_whole_[u.first]);
     if (!blocks.is_unchanging(b)) active_.push_back(b);
     if (!blocks.has_matrices(b)) continue;
     assembled_.push_back(b);
@@ -97,7 +97,10 @@ void StepSystem::set_step(const BlockState& state, const StepStart& start, doubl
   for (StepQuietFace& face : quiet_faces_) face.begin(blocks_, state, start);
   for (StepBolt& bolt : work_.bolts) bolt.begin(blocks_, state, rule_.directions());
   if (rule_.has_half_steps() && !work_.bolts.empty()) take_stable_directions();
-  blocks_.begin_step(state, start);
+  for_all(assembled_.size(), [&](int a) {
+    const int b = assembled_[a];
+    blocks_.block(b).begin_step(state, start, steps_[b]);
+  });
   work_.own_at.resize(0);
   load_forces_ = gravity_forces_ = VectorXd::Zero(blocks_.n_unknowns());
   blocks_.add_loads(
@@ -124,10 +127,10 @@ void StepSystem::find_own_forces(const VectorXd& d) const {
   work_.own_sums.resize(active_.size());
   for_all(active_.size(), [&](int a) {
     thread_local BlockForces of_block;
-    const Block& block = blocks_.block(active_[a]);
-    const Range& u = block.unknowns();
+    const int b = active_[a];
+    const Range& u = blocks_.block(b).unknowns();
     const auto lengths = u.of(unknown_lengths_);
-    block.forces(u.of(d), of_block);
+    step(b).forces(u.of(d), of_block);
     u.of(work_.own_forces) = of_block.elastic + of_block.inertia + of_block.damping;
     double sum = 0;
     for (const BlockForces::Forces* f : {&of_block.elastic, &of_block.inertia, &of_block.damping})
@@ -228,8 +231,38 @@ void StepSystem::measure(Residual& residual) const {
   }
 }
 
+void StepSystem::displace(int b, const VectorXd& d, VectorXd& displaced) const {
+  const Range& u = blocks_.block(b).unknowns();
+  step(b).displacement(u.of(d), u.of(displaced));
+}
+
 VectorXd StepSystem::displacement(VectorXd& d) const {
-  return rule_.has_half_steps() ? blocks_.displacement(prescribed_, d) : d;
+  if (!rule_.has_half_steps()) return d;
+  VectorXd displaced = d;
+  for_all(active_.size(), [&](int a) { displace(active_[a], d, displaced); });
+  // A point that turns with its block leaves the straight line that its support prescribes.
+  constexpr int most_rounds = 8;
+  for (int round = 0; round < most_rounds; ++round) {
+    std::vector<int> moved;
+    for (const PrescribedDof& held : blocks_.prescribed_dofs()) {
+      const int b = blocks_.block_of_unknown(held.unknown);
+      const double error = displaced[held.unknown] - prescribed_[held.unknown];
+      if (blocks_.is_unchanging(b) || std::abs(error) <= few_ulps * blocks_.block(b).size()) continue;
+      d[held.unknown] -= error;
+      if (moved.empty() || moved.back() != b) moved.push_back(b);
+    }
+    if (moved.empty()) break;
+    for (int b : moved) displace(b, d, displaced);
+  }
+  return displaced;
+}
+
+void StepSystem::end(const VectorXd& d, const VectorXd& external, BlockState& next) const {
+  for_all(active_.size(), [&](int a) {
+    const int b = active_[a];
+    const Range& u = blocks_.block(b).unknowns();
+    step(b).end(u.of(d), u.of(external), blocks_.is_free(b), next);
+  });
 }
 
 VectorXd StepSystem::quiet_forces(const VectorXd& d) const {
@@ -242,10 +275,8 @@ const std::vector<StepBolt>& StepSystem::bolts_at(const VectorXd& d) const {
   if (work_.bolts.empty()) return work_.bolts;
   VectorXd displaced = d;
   for (StepBolt& bolt : work_.bolts) {
-    for (int b : bolt.blocks()) {
-      const Range& u = blocks_.block(b).unknowns();
-      if (!blocks_.is_unchanging(b)) blocks_.block(b).displacement(u.of(d), u.of(displaced));
-    }
+    for (int b : bolt.blocks())
+      if (!blocks_.is_unchanging(b)) displace(b, d, displaced);
     bolt.evaluate(displaced);
   }
   return work_.bolts;
@@ -259,10 +290,8 @@ VectorXd StepSystem::bolt_forces(const VectorXd& d) const {
 
 VectorXd StepSystem::free_path() const {
   VectorXd d = prescribed_;
-  for_all(active_.size(), [&](int a) {
-    const Block& block = blocks_.block(active_[a]);
-    block.free_path(block.unknowns().of(d));
-  });
+  for_all(active_.size(),
+          [&](int a) { step(active_[a]).free_path(blocks_.block(active_[a]).unknowns().of(d)); });
   for (const PrescribedDof& prescribed : blocks_.prescribed_dofs())
     d[prescribed.unknown] = prescribed_[prescribed.unknown];
   return d;
@@ -273,7 +302,7 @@ void StepSystem::linearize(const VectorXd& d) {
   for_all(assembled_.size(), [&](int a) {
     const Block& block = blocks_.block(assembled_[a]);
     const Range& u = block.unknowns();
-    block.tangent(u.of(d), problem_.elements().subspan(first_element_[a], block.n_parts()));
+    step(assembled_[a]).tangent(u.of(d), problem_.elements().subspan(first_element_[a], block.n_parts()));
   });
   for (const FixedPointSpring& spring : fixed_point_springs_) {
     const int b = blocks_.fixed_vertices[spring.fixed_vertex].block;
@@ -292,10 +321,9 @@ void StepSystem::linearize(const VectorXd& d) {
   for (int e = 0; e < elements.n_elements(); ++e)
     diagonal_(elements.rows_of(e)) += problem_.elements()[e].diagonal();
   for_all(active_.size(), [&](int a) {
-    const Block& block = blocks_.block(active_[a]);
-    const Range& u = block.unknowns();
-    for (int k = 0; k < u.count; ++k)
-      if (blocks_.equation()[u.first + k] < 0 || moves_as_a_whole(block, k)) diagonal_[u.first + k] = inf;
+    const Range& u = blocks_.block(active_[a]).unknowns();
+    for (int k = u.first; k < u.end(); ++k)
+      if (blocks_.equation()[k] < 0 || moves_as_a_whole_[k]) diagonal_[k] = inf;
   });
   problem_.matrices_changed();
 }
@@ -315,7 +343,7 @@ void StepSystem::move(const VectorXd& whole_change, VectorXd& d) const {
     const int b = active_[a];
     const Range& u = blocks_.block(b).unknowns();
     if (blocks_.is_free(b))
-      blocks_.block(b).add_change(u.of(change), u.of(d));
+      step(b).add_change(u.of(change), u.of(d));
     else
       u.of(d) += u.of(change);
   });

@@ -7,6 +7,7 @@
 #include <ddacontact/equations/step_bolt.hpp>
 #include <ddacontact/solver/step_problem.hpp>
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -15,7 +16,7 @@ namespace ddacontact {
 /// (13) of one step: measures residuals, assembles and factorizes their derivative.
 class StepSystem : public StepProblem {
  public:
-  explicit StepSystem(BlockSystem& blocks);
+  explicit StepSystem(const BlockSystem& blocks);
 
   /// Begins a step of all blocks: their inertia (26), (27), and the loads.
   /// \param[in] fixed_point_stiffness  of the springs that hold vertices of six-unknown blocks
@@ -32,10 +33,11 @@ class StepSystem : public StepProblem {
                         const std::vector<ContactTerm>& terms, const std::vector<ContactForce>& forces,
                         Residual& residual) const override;
   double sum_of_forces(int block) const override { return work_.sums[block].sum; }
-  /// See Block::displacement.
+  /// See BlockStep::displacement. Prescribed points are led to where they should be: d is changed so that
+  /// they are.
   VectorXd displacement(VectorXd& d) const override;
   void linearize(const VectorXd& d) override;
-  /// See Block::add_change.
+  /// See BlockStep::add_change.
   void move(const VectorXd& change, VectorXd& d) const override;
   std::optional<std::vector<double>> bends(const VectorXd& d, const VectorXd& change) const override;
   double contact_stiffness(const Contact& contact) const override;
@@ -43,8 +45,11 @@ class StepSystem : public StepProblem {
   const FrictionProblem& problem() const { return problem_; }
   /// See Block::unknown_lengths.
   const VectorXd& unknown_lengths() const override { return unknown_lengths_; }
-  BlockSystem& blocks() { return blocks_; }
   const BlockSystem& blocks() const { return blocks_; }
+  /// The step of a block that has matrices.
+  const BlockStep& step(int b) const { return *steps_[b]; }
+  /// Ends the step: see BlockStep::end. Vectors of all unknowns.
+  void end(const VectorXd& d, const VectorXd& external, BlockState& next) const;
   /// The stiffness of a vertex against displacements along a unit normal, with the inertia of the step: how
   /// much force moves it while the rest of its block is held; infinity when it is held itself.
   double vertex_stiffness(int block, int vertex, const Vec2& normal) const;
@@ -89,6 +94,8 @@ class StepSystem : public StepProblem {
   };
   /// Counts a force on a block, and the stiffness it comes from.
   void add_force_on(int block, double magnitude, double stiffness) const;
+  /// Finds where d leads the unknowns of a block.
+  void displace(int block, const VectorXd& d, VectorXd& displaced) const;
   /// How far d moves the block at most, m.
   double largest_motion(int block, const VectorXd& d) const;
   /// Bolts act along their segments at the end of a static step, and of one with half steps in which tension
@@ -104,11 +111,13 @@ class StepSystem : public StepProblem {
   /// Makes what follows from displacements alone, unless it is there.
   void find_own_forces(const VectorXd& d) const;
 
-  BlockSystem& blocks_;
-  std::vector<int> active_;         ///< blocks that may change
+  const BlockSystem& blocks_;
+  std::vector<std::unique_ptr<BlockStep>> steps_;  ///< of all blocks that have matrices
+  std::vector<int> active_;                        ///< blocks that may change
   std::vector<int> assembled_;      ///< blocks that have matrices: these and, where requested, fixed ones
   std::vector<int> first_element_;  ///< of the matrix, of each of those
   VectorXd unknown_lengths_;
+  std::vector<char> moves_as_a_whole_;  ///< of all unknowns: one that by itself does not strain its block
   FrictionProblem problem_;
   VectorXd diagonal_;  ///< of the matrix without contacts, of every unknown
   std::vector<FixedPointSpring> fixed_point_springs_;

@@ -230,9 +230,9 @@ void ResultDirectory::write_blocks(const Stepper& stepper) {
   for (int b = 0; b < stepper.blocks().n_blocks(); ++b) {
     if (!stepper.blocks().is_present(b)) continue;
     const Block& block = stepper.blocks().block(b);
-    const Vec2 x = block.centroid() + labels_.origin;
-    const double area = block.moments().area;
-    const RigidVelocity velocity = rigid_velocity(block, state.velocity);
+    const Vec2 x = block.centroid(state) + labels_.origin;
+    const double area = block.moments(state).area;
+    const RigidVelocity velocity = rigid_velocity(block, state, state.velocity);
     const StressRange s = stress_range(block, state);
     csv.row(labels_.block_names[b], labels_.block_models[b], labels_.outlines[b]->n_vertices, x.x(), x.y(),
             area, area / block.reference_area(), state.rotation[b] * 180 / std::numbers::pi,

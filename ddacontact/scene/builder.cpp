@@ -211,7 +211,9 @@ class Builder {
         for_parts(system.block(block), placed_[block], edge, [&, b = block](int part) {
           const Block& on = system.block(b);
           const int ends[] = {part, (part + 1) % on.n_vertices()};
-          const Points from_centroid = on.reference()(Eigen::all, ends).colwise() - on.moments().centroid;
+          const Points from_centroid =
+              on.reference()(Eigen::all, ends).colwise() -
+              polyfem::area_moments(on.reference().leftCols(on.n_vertices())).centroid;
           system.quiet_faces.push_back(
               {b, part, stresses_at(scene_.blocks[b], from_centroid), boundary.incoming});
         });
@@ -282,7 +284,7 @@ class Builder {
   }
 
   void set_initial(BlockSystem& system, BlockState& initial) const {
-    system.prepare(initial, true);
+    system.reshape(initial, true);
     bool stressed = false;
     for (int b = 0; b < system.n_blocks(); ++b)
       stressed = stressed || system.block(b).changes_stress() || !scene_.blocks[b].stress.isZero(0) ||
@@ -296,7 +298,8 @@ class Builder {
             stresses_at(description, block.integration_points());
       if (first_stage().analysis.mode == Mode::statics) continue;
       const Vec3 rigid(description.velocity.x(), description.velocity.y(), description.angular_velocity);
-      initial.velocity.segment(block.unknowns().first, block.unknowns().count) = block.rigid_modes() * rigid;
+      initial.velocity.segment(block.unknowns().first, block.unknowns().count) =
+          block.rigid_modes(initial) * rigid;
     }
     const AnalysisOptions& first = first_stage().analysis;
     for (const PrescribedDof& held : system.prescribed_dofs())

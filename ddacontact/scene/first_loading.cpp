@@ -40,14 +40,14 @@ ContactTerm term_of(const Contact& contact) {
 }
 
 /// Stresses by displacements made small, and made large again.
-void add_stresses(BlockSystem& blocks, const BlockState& initial, const StepStart& start, const VectorXd& d,
+void add_stresses(const StepSystem& system, const BlockState& initial, const VectorXd& d,
                   FirstLoading& result) {
+  const BlockSystem& blocks = system.blocks();
   double smallest = std::numeric_limits<double>::infinity();
   for (int b = 0; b < blocks.n_blocks(); ++b) smallest = std::min(smallest, blocks.block(b).size());
   const double part = std::min(1.0, small_move * smallest / d.lpNorm<Eigen::Infinity>());
   BlockState moved = initial;
-  blocks.begin_step(initial, start);
-  blocks.end_step(part * d, VectorXd::Zero(d.size()), moved);
+  system.end(part * d, VectorXd::Zero(d.size()), moved);
   for (int b = 0; b < blocks.n_blocks(); ++b) {
     const Block& block = blocks.block(b);
     const Tensors before = block.stress(initial), stress = before + (block.stress(moved) - before) / part;
@@ -64,10 +64,10 @@ struct FirstSolution {
 };
 
 /// What acts on the blocks, each force with its place from the centroid.
-void add_forces(BlockSystem& blocks, const BlockState& initial, const std::vector<Contact>& contacts,
+void add_forces(const BlockSystem& blocks, const BlockState& initial, const std::vector<Contact>& contacts,
                 const std::vector<ContactTerm>& terms, const FirstSolution& solution, FirstLoading& result) {
   const auto add = [&](int block, const Vec2& from_origin, const Vec2& force) {
-    result.forces[block].push_back({from_origin - blocks.block(block).moments().centroid, force});
+    result.forces[block].push_back({from_origin - blocks.block(block).moments(initial).centroid, force});
   };
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const ContactForce force = contact_force(terms[c], solution.d);
@@ -106,7 +106,7 @@ FirstLoading load_once(BlockSystem& blocks, const BlockState& initial, ContactBu
   FirstLoading result;
   const auto n_blocks = static_cast<std::size_t>(blocks.n_blocks());
   result.forces.resize(n_blocks);
-  blocks.prepare(initial, true);
+  blocks.reshape(initial, true);
   std::vector<double> search_margin;
   for (int b = 0; b < blocks.n_blocks(); ++b) search_margin.push_back(touching * blocks.block(b).size());
   const std::vector<Contact> contacts =
@@ -142,7 +142,7 @@ FirstLoading load_once(BlockSystem& blocks, const BlockState& initial, ContactBu
   VectorXd r;
   system.problem().compute_residual(terms, g0, d, r);
   add_forces(blocks, initial, contacts, terms, {system, d, r}, result);
-  add_stresses(blocks, initial, start, d, result);
+  add_stresses(system, initial, d, result);
   return result;
 }
 

@@ -145,7 +145,8 @@ std::vector<double> missing_bending(const BlockSystem& blocks, const BlockState&
     const Block& block = blocks.block(b);
     if (blocks.is_unchanging(b)) continue;
     const auto [first, count] = block.vertices();
-    const Points outline = initial.position.middleCols(first, count).colwise() - block.moments().centroid;
+    const Points outline =
+        initial.position.middleCols(first, count).colwise() - block.moments(initial).centroid;
     double sum = 0;
     for (const ActingForce& acting : loading.forces[b]) sum += acting.force.norm();
     if (sum <= least_load * block.mass_total() * blocks.gravity.norm()) continue;

@@ -20,14 +20,14 @@ double sum_over_blocks(int n_blocks, const auto& value) {
 
 /// What elastic forces took from the block's motion and do not store, with the work of inertia; and what its
 /// damping took.
-Vec2 block_losses(const Block& block, const VectorXd& of_all, const VectorXd& motion_of_all) {
-  const Range& u = block.unknowns();
+Vec2 block_losses(const BlockStep& step, const Range& u, const VectorXd& of_all,
+                  const VectorXd& motion_of_all) {
   const auto d = u.of(of_all), motion = u.of(motion_of_all);
   thread_local BlockForces forces;
-  block.forces(d, forces);
+  step.forces(d, forces);
   // A shift before the step stores nothing.
   const double by_shift = forces.elastic.dot(motion - d);
-  return {block.elastic_loss(d, forces.elastic) + by_shift + motion.dot(forces.inertia),
+  return {step.elastic_loss(d, forces.elastic) + by_shift + motion.dot(forces.inertia),
           motion.dot(forces.damping)};
 }
 
@@ -109,7 +109,8 @@ void account_step(const StepSystem& system, const TrialSolution& solution, const
     energy.external += solution.residual.force[held.unknown] * motion[held.unknown];
   Points losses = Points::Zero(2, blocks.n_blocks());
   for_all(blocks.n_blocks(), [&](int b) {
-    if (!blocks.is_unchanging(b)) losses.col(b) = block_losses(blocks.block(b), d, motion);
+    if (!blocks.is_unchanging(b))
+      losses.col(b) = block_losses(system.step(b), blocks.block(b).unknowns(), d, motion);
   });
   for (const auto& of_block : losses.colwise()) {
     energy.numerical_dissipated += of_block[0];

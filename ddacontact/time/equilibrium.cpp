@@ -33,43 +33,40 @@ double larger(const Block& block, const Vec2& force, double moment) {
   return std::max(force.norm(), std::abs(moment) / block.size());
 }
 
-/// The same of the forces of all unknowns on a block.
-double size_of_forces(const Block& block, const VectorXd& forces) {
-  const auto of_block = block.unknowns().of(forces);
-  return larger(block, block.translations().transpose() * of_block, block.rotation().dot(of_block));
-}
-
-/// Of a substep that was solved for this.
-double size_of_resultant(const Block& block, const VectorXd& straight, const VectorXd& forces) {
-  const std::optional<BlockMotion> motion = block.motion();
-  if (!motion) return size_of_forces(block, forces);
-  const Vec3 momentum = motion->resultant(block.unknowns().of(straight));
-  return larger(block, momentum.head<2>(), momentum[2]);
-}
-
 }  // namespace
 
-Equilibrium find_equilibrium(const StepSystem& system, const VectorXd& straight, const Residual& residual,
-                             const std::vector<Contact>& contacts, const Points& reactions,
-                             const VectorXd& velocity) {
+Equilibrium find_equilibrium(const StepSystem& system, const TrialSolution& solution,
+                             const std::vector<Contact>& contacts, const BlockState& before,
+                             const Points& reactions, const VectorXd& velocity) {
   const BlockSystem& blocks = system.blocks();
   std::vector<double> of_contacts(static_cast<std::size_t>(blocks.n_blocks()), 0);  // the largest
   for (const Contact& contact : contacts)
     for (int b : contact.pair.blocks())
       of_contacts[b] = std::max(of_contacts[b], std::hypot(contact.normal, contact.shear));
-  VectorXd total = residual.external;
+  VectorXd total = solution.residual.external;
   for (const PrescribedDof& held : blocks.prescribed_dofs())
-    total[held.unknown] += residual.force[held.unknown];
+    total[held.unknown] += solution.residual.force[held.unknown];
 
   Equilibrium found = find_motion(blocks, velocity);
+  VectorXd turning;
   for (int b = 0; b < blocks.n_blocks(); ++b) {
     // What supports drive has no balance of its own.
     if (blocks.is_unchanging(b) || !blocks.is_movable(b)) continue;
     const Block& block = blocks.block(b);
-    const double left = size_of_resultant(block, straight, total),
-                 largest = std::max({of_contacts[b], size_of_forces(block, system.gravity_forces()),
-                                     size_of_forces(block, system.load_forces()),
-                                     block.points().columns_of(reactions).colwise().norm().maxCoeff()});
+    const Range& u = block.unknowns();
+    turning.resize(u.count);
+    block.rotation(before, turning);
+    const auto size_of = [&](const VectorXd& forces) {
+      return larger(block, block.translations().transpose() * u.of(forces), turning.dot(u.of(forces)));
+    };
+    double left = size_of(total);
+    if (const std::optional<BlockMotion> motion = system.step(b).motion()) {
+      const Vec3 momentum = motion->resultant(u.of(solution.straight));
+      left = larger(block, momentum.head<2>(), momentum[2]);
+    }
+    const double largest =
+        std::max({of_contacts[b], size_of(system.gravity_forces()), size_of(system.load_forces()),
+                  block.points().columns_of(reactions).colwise().norm().maxCoeff()});
     const double round_off = few_ulps * block.material().elasticity(0, 0) * block.size();
     if (largest <= round_off) continue;
     if (left > largest_unbalanced * largest) ++found.n_unbalanced;

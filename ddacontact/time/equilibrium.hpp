@@ -1,9 +1,8 @@
 /// \file How far the blocks are from equilibrium and rest at the end of a substep.
 #pragma once
 
-#include <ddacontact/contact/contact.hpp>
 #include <ddacontact/core/rest_criterion.hpp>
-#include <ddacontact/equations/step_system.hpp>
+#include <ddacontact/time/trial_step.hpp>
 
 #include <vector>
 
@@ -38,12 +37,11 @@ struct Equilibrium {
 };
 
 /// \param[in] system     of the substep
-/// \param[in] straight   what was solved for
-/// \param[in] residual   of it: forces on all unknowns, reactions of prescribed ones
+/// \param[in] before     the state that it began in
 /// \param[in] reactions  of supports, N per m, 2 x all points
 /// \param[in] velocity   at the end of the substep; in a static one its displacements over its length
-Equilibrium find_equilibrium(const StepSystem& system, const VectorXd& straight, const Residual& residual,
-                             const std::vector<Contact>& contacts, const Points& reactions,
-                             const VectorXd& velocity);
+Equilibrium find_equilibrium(const StepSystem& system, const TrialSolution& solution,
+                             const std::vector<Contact>& contacts, const BlockState& before,
+                             const Points& reactions, const VectorXd& velocity);
 
 }  // namespace ddacontact

@@ -36,10 +36,11 @@ BlockState carried(const BlockSystem& blocks, const BlockState& state, const Vec
   for (int b = 0; b < blocks.n_blocks(); ++b) {
     if (!std::isfinite(times[b]) || !blocks.is_free(b)) continue;
     const Block& block = blocks.block(b);
-    const RigidVelocity v = rigid_velocity(block, velocity), a = rigid_velocity(block, acceleration);
+    const RigidVelocity v = rigid_velocity(block, state, velocity),
+                        a = rigid_velocity(block, state, acceleration);
     const double half_square = times[b] * times[b] / 2,
                  angle = times[b] * v.angular + half_square * a.angular;
-    const Vec2 shift = times[b] * v.linear + half_square * a.linear, centre = block.moments().centroid;
+    const Vec2 shift = times[b] * v.linear + half_square * a.linear, centre = block.moments(state).centroid;
     const Mat2 R = turned_by(angle);
     auto points = block.points().columns_of(later.position);
     points = ((R * (points.colwise() - centre)).colwise() + (centre + shift)).eval();
@@ -51,16 +52,18 @@ BlockState carried(const BlockSystem& blocks, const BlockState& state, const Vec
   return later;
 }
 
-std::vector<RigidVelocity> rigid_velocities(const BlockSystem& blocks, const VectorXd& velocity) {
+std::vector<RigidVelocity> rigid_velocities(const BlockSystem& blocks, const BlockState& state,
+                                            const VectorXd& velocity) {
   std::vector<RigidVelocity> of_blocks;
-  for (int b = 0; b < blocks.n_blocks(); ++b) of_blocks.push_back(rigid_velocity(blocks.block(b), velocity));
+  for (int b = 0; b < blocks.n_blocks(); ++b)
+    of_blocks.push_back(rigid_velocity(blocks.block(b), state, velocity));
   return of_blocks;
 }
 
-void turn_about_centre(const Block& block, const Mat2& turn, VectorXd& velocity) {
+void turn_about_centre(const Block& block, const BlockState& state, const Mat2& turn, VectorXd& velocity) {
   const Range& u = block.unknowns();
   auto v = u.of(velocity);
-  const VectorXd of_centre = block.translations() * rigid_velocity(block, velocity).linear;
+  const VectorXd of_centre = block.translations() * rigid_velocity(block, state, velocity).linear;
   v -= of_centre;
   for (Index k = 0; k + 1 < v.size(); k += 2) v.segment<2>(k) = (turn * v.segment<2>(k)).eval();
   v += of_centre;

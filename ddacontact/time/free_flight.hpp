@@ -25,9 +25,10 @@ BlockState carried(const BlockSystem& blocks, const BlockState& state, const Vec
                    const VectorXd& acceleration, const std::vector<double>& times);
 
 /// Rigid velocity of every block.
-std::vector<RigidVelocity> rigid_velocities(const BlockSystem& blocks, const VectorXd& velocity);
+std::vector<RigidVelocity> rigid_velocities(const BlockSystem& blocks, const BlockState& state,
+                                            const VectorXd& velocity);
 
 /// Turns the velocities of a free block's nodes about its centre; that of the centre stays.
-void turn_about_centre(const Block& block, const Mat2& turn, VectorXd& velocity);
+void turn_about_centre(const Block& block, const BlockState& state, const Mat2& turn, VectorXd& velocity);
 
 }  // namespace ddacontact

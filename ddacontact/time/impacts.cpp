@@ -48,7 +48,7 @@ class Flight : ImpactStep {
     return std::move(result_);
   }
 
-  /// Of the free blocks that an impact makes jump, with the blocks prepared for the start of the step.
+  /// Of the free blocks that an impact makes jump.
   void find_acceleration_before(StepImpact& impact) {
     for (const Contact& contact : contacts) {
       contact.motion.form(contact.first_gap().gradient).add_gradient(contact.history.normal, forces_);
@@ -60,11 +60,11 @@ class Flight : ImpactStep {
   }
 
  private:
-  /// Of a free block as a rigid body, by gravity and the forces known so far.
+  /// Of a free block as a rigid body at the start of the step, by gravity and the forces known so far.
   VectorXd acceleration(int b) const {
     const Block& block = blocks.block(b);
     return block.translations() * blocks.gravity +
-           as_velocity(block, rigid_velocity_by(block, block.unknowns().of(forces_)));
+           as_velocity(block, state, rigid_velocity_by(block, state, block.unknowns().of(forces_)));
   }
 
   /// When the blocks of a contact meet next, and how fast.
@@ -78,7 +78,9 @@ class Flight : ImpactStep {
   void look_ahead(const std::vector<char>& of_blocks) {
     velocity_ = start_.going_on();
     if (rule.has_half_steps()) velocity_ += start_.carried_dt / 2 * acceleration_;
-    rigid_ = rigid_velocities(blocks, velocity_);
+    rigid_ = rigid_velocities(blocks, start_, velocity_);
+    centres_.clear();
+    for (int b = 0; b < blocks.n_blocks(); ++b) centres_.push_back(blocks.block(b).centroid(start_));
     for (std::size_t c = 0; c < contacts.size(); ++c) {
       const VertexEdge& pair = contacts[c].pair;
       if (of_blocks[pair.vertex_block] || of_blocks[pair.edge_block]) meetings_[c] = next_meeting(c);
@@ -143,8 +145,7 @@ class Flight : ImpactStep {
                            acceleration = contact.motion.moved(acceleration_);
     const auto move = [&](int b, Vec2 RoundedPositions::*point) {
       Vec2& x = at.*point;
-      const Vec2 centre = blocks.block(b).moments().centroid + start_.origin.col(b) -
-                          start_.origin.col(contact.pair.edge_block),
+      const Vec2 centre = centres_[b] - start_.origin.col(contact.pair.edge_block),
                  off = blocks.is_free(b) ? off_straight_line(x - centre, time * rigid_[b].angular)
                                          : Vec2::Zero();
       x += time * (velocity.*point + time / 2 * acceleration.*point) + off;
@@ -216,21 +217,20 @@ class Flight : ImpactStep {
     deformation_.setZero(velocity_.size());
     for (int b = 0; b < blocks.n_blocks(); ++b)
       if (const Range& u = blocks.block(b).unknowns(); bears_[b] && blocks.is_free(b))
-        u.of(deformation_) = u.of(velocity_) - as_velocity(blocks.block(b), rigid_[b]);
+        u.of(deformation_) = u.of(velocity_) - as_velocity(blocks.block(b), start_, rigid_[b]);
     const BlockState then = carried(blocks, start_, velocity_, acceleration_, times);
-    blocks.prepare(then);
     VectorXd before = velocity_;
     for (int b = 0; b < blocks.n_blocks(); ++b) {
       if (!std::isfinite(times[b]) || !blocks.is_free(b)) continue;
       const Range& u = blocks.block(b).unknowns();
-      u.of(before) = as_velocity(blocks.block(b), rigid_[b]) + times[b] * u.of(acceleration_);
+      u.of(before) = as_velocity(blocks.block(b), then, rigid_[b]) + times[b] * u.of(acceleration_);
     }
     JumpReport report;
     Participants part;
     bool deform = rule.has_half_steps(), again;
     do {
       part = find_participants(then, before, deform, times, first);
-      report = impact(blocks, part.contacts, before, part.least_approach / 2);
+      report = impact(blocks, then, part.contacts, before, part.least_approach / 2);
       again = !report.settled && !std::exchange(deform, true);
     } while (again || break_bonds(part, report) || add_soon(then, before + report.jump, times, first));
     result_.friction_loss += report.friction_loss;
@@ -244,7 +244,7 @@ class Flight : ImpactStep {
         ++result_.n_hits;
         meetings_[c] = {};
       }
-    jump(report.jump, times);
+    jump(report.jump, rigid_velocities(blocks, then, report.jump), times);
     return true;
   }
 
@@ -318,9 +318,7 @@ class Flight : ImpactStep {
   }
 
   /// Gives the blocks this jump at these times: they start as if they had moved so from the start.
-  void jump(const VectorXd& at_impact, std::vector<double> times) {
-    const std::vector<RigidVelocity> jumps = rigid_velocities(blocks, at_impact);
-    blocks.prepare(start_);
+  void jump(const VectorXd& at_impact, const std::vector<RigidVelocity>& jumps, std::vector<double> times) {
     VectorXd jump = at_impact;
     if (!result_.changes()) result_.jump = result_.shift = VectorXd::Zero(jump.size());
     hit_now_.assign(blocks.n_blocks(), 0);
@@ -331,7 +329,7 @@ class Flight : ImpactStep {
       hit_now_[b] = !of_block.isZero(0);
       if (!std::isfinite(times[b])) times[b] = 0;  // no jump either
       if (hit_now_[b]) last_[b] = times[b];
-      if (blocks.is_free(b)) of_block = as_velocity(block, jumps[b]);
+      if (blocks.is_free(b)) of_block = as_velocity(block, start_, jumps[b]);
       u.of(result_.shift) -= times[b] * of_block;
       times[b] = -times[b];
     }
@@ -341,11 +339,10 @@ class Flight : ImpactStep {
       if (!blocks.is_free(b)) continue;
       const Mat2 turn = turned_by(times[b] * jumps[b].angular);
       for (VectorXd* velocity : {&going_on, &jump, &result_.jump})
-        turn_about_centre(blocks.block(b), turn, *velocity);
+        turn_about_centre(blocks.block(b), start_, turn, *velocity);
     }
     going_on += jump;
     result_.jump += jump;
-    blocks.prepare(start_);
   }
 
   const std::vector<char>& forced_;
@@ -354,6 +351,7 @@ class Flight : ImpactStep {
   VectorXd deformation_;              ///< of `velocity_`, what is not rigid in blocks that bear
   VectorXd forces_;                   ///< of loads, then of the contacts of the last step too
   std::vector<RigidVelocity> rigid_;  ///< of `velocity_`
+  std::vector<Vec2> centres_;         ///< of all blocks at `start_`, from the model's origin
   std::vector<char> bears_;           ///< blocks with contacts that bear
   std::vector<double> last_;          ///< impact of each block, s
   std::vector<Meeting> meetings_;
@@ -378,7 +376,6 @@ StepImpact predict_impact(const ImpactStep& step, const std::vector<char>& force
   Flight flight(step, forced);
   StepImpact impact = flight.follow();
   if (!impact.changes()) return impact;
-  step.blocks.prepare(step.state);
   flight.find_acceleration_before(impact);
   return impact;
 }

@@ -37,7 +37,7 @@ std::optional<double> restitution_of(const ContactProperties& properties, const 
 
 /// A step in which blocks may meet.
 struct ImpactStep {
-  BlockSystem& blocks;  ///< prepared for `state`, before and after
+  const BlockSystem& blocks;
   const BlockState& state;
   const ContactProperties& properties;  ///< of the contacts of these blocks
   const std::vector<Contact>& contacts;

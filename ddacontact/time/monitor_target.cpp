@@ -14,10 +14,11 @@ Motion observe_target(const MaterialPoint& point, const Stepper& stepper) {
 Motion observe_target(const Centroid& centroid, const Stepper& stepper) {
   const BlockSystem& blocks = stepper.blocks();
   const Block& block = blocks.block(centroid.block);
-  const Vec2 x = block.centroid();
+  const BlockState& state = stepper.state();
+  const Vec2 x = block.centroid(state);
   const BlockState& zero = blocks.displacement_zero();
-  const Vec2 start = zero.origin.col(centroid.block) + polyfem::area_moments(block.outline(zero)).centroid;
-  return {x, x - start, rigid_velocity(block, stepper.state().velocity).linear};
+  const Vec2 start = zero.origin.col(centroid.block) + block.moments(zero).centroid;
+  return {x, x - start, rigid_velocity(block, state, state.velocity).linear};
 }
 
 }  // namespace

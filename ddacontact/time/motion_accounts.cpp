@@ -84,7 +84,7 @@ void account_motion_step(const StepSystem& system, const BlockState& from, const
   for (int b = 0; b < blocks.n_blocks(); ++b) {
     if (blocks.is_unchanging(b)) continue;
     const Range& u = blocks.block(b).unknowns();
-    const BlockMotion::Losses losses = blocks.block(b).motion()->losses(u.of(straight));
+    const BlockMotion::Losses losses = system.step(b).motion()->losses(u.of(straight));
     energy.damping_dissipated += losses.damping;
     energy.numerical_dissipated += losses.scheme;
   }

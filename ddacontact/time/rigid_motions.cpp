@@ -24,17 +24,17 @@ std::vector<Index> prescribed_unknowns(const BlockSystem& blocks, const Block& b
 }
 
 /// With a rotation that is comparable to the translations.
-MatrixXd scaled_modes(const Block& block) {
-  MatrixXd modes = block.rigid_modes();
+MatrixXd scaled_modes(const Block& block, const BlockState& state) {
+  MatrixXd modes = block.rigid_modes(state);
   modes.col(2) /= block.size();
   return modes;
 }
 
 /// Combinations of the rigid modes that do not move the prescribed degrees of freedom.
-MatrixXd allowed_modes(const BlockSystem& blocks, const Block& block) {
+MatrixXd allowed_modes(const BlockSystem& blocks, const BlockState& state, const Block& block) {
   const std::vector<Index> held = prescribed_unknowns(blocks, block);
-  if (held.empty()) return block.rigid_modes();
-  const MatrixXd modes = scaled_modes(block);
+  if (held.empty()) return block.rigid_modes(state);
+  const MatrixXd modes = scaled_modes(block, state);
   Eigen::FullPivLU<MatrixXd> rows(modes(held, Eigen::all));
   rows.setThreshold(length_round_off);
   if (rows.dimensionOfKernel() == 0) return MatrixXd(modes.rows(), 0);
@@ -45,11 +45,11 @@ MatrixXd allowed_modes(const BlockSystem& blocks, const Block& block) {
 
 }  // namespace
 
-RigidMotions::RigidMotions(const BlockSystem& blocks, std::span<const int> of_blocks)
+RigidMotions::RigidMotions(const BlockSystem& blocks, const BlockState& state, std::span<const int> of_blocks)
     : part_of_unknown_(static_cast<std::size_t>(blocks.n_unknowns()), -1) {
   for (int b : of_blocks) {
     const Block& block = blocks.block(b);
-    MatrixXd modes = allowed_modes(blocks, block);
+    MatrixXd modes = allowed_modes(blocks, state, block);
     if (modes.cols() == 0) continue;
     const Eigen::LLT<MatrixXd> mass(modes.transpose() * block.times_mass(modes));
     const MatrixXd normalized = mass.matrixL().solve(modes.transpose());
@@ -83,10 +83,11 @@ double RigidMotions::largest_mass() const {
   return largest;
 }
 
-VectorXd driven_motion(const BlockSystem& blocks, const Block& block, const VectorXd& velocity) {
+VectorXd driven_motion(const BlockSystem& blocks, const BlockState& state, const Block& block,
+                       const VectorXd& velocity) {
   const std::vector<Index> held = prescribed_unknowns(blocks, block);
   if (held.empty()) return VectorXd::Zero(block.unknowns().count);
-  const MatrixXd modes = scaled_modes(block), of_held = modes(held, Eigen::all);
+  const MatrixXd modes = scaled_modes(block, state), of_held = modes(held, Eigen::all);
   const VectorXd driven = block.unknowns().of(velocity)(held);
   return modes * Eigen::CompleteOrthogonalDecomposition<MatrixXd>(of_held).solve(driven);
 }

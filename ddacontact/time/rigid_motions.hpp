@@ -9,11 +9,10 @@
 namespace ddacontact {
 
 /// The velocities of blocks as rigid bodies, by coefficients q whose kinetic energy is q.q / 2: up to three
-/// for each block, none for what a block's prescribed degrees of freedom prevent. On the shapes last
-/// prepared.
+/// for each block, none for what a block's prescribed degrees of freedom prevent.
 class RigidMotions {
  public:
-  RigidMotions(const BlockSystem& blocks, std::span<const int> of_blocks);
+  RigidMotions(const BlockSystem& blocks, const BlockState& state, std::span<const int> of_blocks);
 
   int n_coefficients() const { return n_coefficients_; }
   /// Largest mass of the blocks that move, kg per m; 0: none does.
@@ -42,6 +41,7 @@ class RigidMotions {
 /// The velocities of a block's unknowns in the rigid motion that its prescribed degrees of freedom have, as
 /// nearly as one can; 0 where there are none.
 /// \param[in] velocity  of all unknowns
-VectorXd driven_motion(const BlockSystem& blocks, const Block& block, const VectorXd& velocity);
+VectorXd driven_motion(const BlockSystem& blocks, const BlockState& state, const Block& block,
+                       const VectorXd& velocity);
 
 }  // namespace ddacontact

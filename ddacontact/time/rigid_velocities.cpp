@@ -24,8 +24,8 @@ double dot(const NormalAndShear& a, const NormalAndShear& b) {
 struct RigidPart {
   VectorXd driven, all;
 
-  RigidPart(const BlockSystem& blocks, const RigidMotions& motions, const std::vector<ContactTerm>& terms,
-            const VectorXd& v)
+  RigidPart(const BlockSystem& blocks, const BlockState& state, const RigidMotions& motions,
+            const std::vector<ContactTerm>& terms, const VectorXd& v)
       : driven(VectorXd::Zero(v.size())), all(driven) {
     std::set<int> touched;
     for (const ContactTerm& term : terms)
@@ -36,13 +36,15 @@ struct RigidPart {
       if (!blocks.is_movable(b))
         u.of(driven) = u.of(v);
       else if (!blocks.is_free(b))
-        u.of(driven) = driven_motion(blocks, block, v);
+        u.of(driven) = driven_motion(blocks, state, block, v);
     }
     all = driven;
     motions.add_motion(motions.coefficients(v - driven), all);
-    for (int b : touched)
+    for (int b : touched) {
+      const Block& block = blocks.block(b);
       if (blocks.is_free(b))
-        blocks.block(b).unknowns().of(all) = as_velocity(blocks.block(b), rigid_velocity(blocks.block(b), v));
+        block.unknowns().of(all) = as_velocity(block, state, rigid_velocity(block, state, v));
+    }
   }
 };
 
@@ -66,12 +68,12 @@ struct Setting {
 
   /// \param[in] terms  forms of all unknowns
   /// \param[in] beside  rates that are not those of v
-  Setting(const BlockSystem& blocks, const std::vector<int>& hit_blocks,
+  Setting(const BlockSystem& blocks, const BlockState& state, const std::vector<int>& hit_blocks,
           const std::vector<ContactTerm>& terms, const VectorXd& v, const NormalAndShear& beside)
-      : motions(blocks, hit_blocks),
+      : motions(blocks, state, hit_blocks),
         problem(motions, rigid_terms(motions, terms)),
         rates(rates_of(terms, v) + beside) {
-    const RigidPart rigid(blocks, motions, terms, v);
+    const RigidPart rigid(blocks, state, motions, terms, v);
     rigid_rates = rates_of(terms, rigid.all);
     driven_rates = rates_of(terms, rigid.driven);
     driven = motions.coefficients(rigid.driven);
@@ -197,8 +199,8 @@ bool solve_with_friction(const NormalAndShear& rates, const Participants& of, co
 // contact, u' . P = 0 there, and (1 + e) P leads to u' + e G G^T P: (1 + e) (1 - e) |G^T P|^2 / 2 >= 0 is
 // lost. With several e, with shear, which gives nothing back, or with rates of deformation there is no such
 // theorem: what would make energy is taken in part.
-JumpReport impact(const BlockSystem& blocks, const std::vector<ImpactContact>& contacts, const VectorXd& v,
-                  double least_approach) {
+JumpReport impact(const BlockSystem& blocks, const BlockState& state,
+                  const std::vector<ImpactContact>& contacts, const VectorXd& v, double least_approach) {
   assert(v.size() == blocks.n_unknowns() && least_approach >= 0);
   constexpr double vanishing = 1e-10;  // of the largest approach: rates that should vanish
   JumpReport report;
@@ -207,7 +209,7 @@ JumpReport impact(const BlockSystem& blocks, const std::vector<ImpactContact>& c
   const Participants of = find_participants(blocks, contacts, v, least_approach);
   if (of.contacts.empty()) return report;
 
-  Setting setting(blocks, of.blocks, of.terms, v, of.beside);
+  Setting setting(blocks, state, of.blocks, of.terms, v, of.beside);
   ImpulseProblem& problem = setting.problem;
   const double tolerance = vanishing * of.approach;
   const NormalAndShear none = NormalAndShear::Zero(of.contacts.size(), 2);

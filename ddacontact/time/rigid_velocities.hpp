@@ -47,10 +47,10 @@ struct JumpReport {
 /// with friction |P_T| <= mu P_N opposed to the slip (compression); then, as Poisson, e P_N is given back at
 /// each contact, and contact and friction act once more, so that nothing approaches in the end. u are rates
 /// of the forms, of all unknowns; the jump is a rigid motion of each block that its prescribed degrees of
-/// freedom allow, on the shapes last prepared. Momentum is that of the impulses, equal and opposite. The
+/// freedom allow. Momentum is that of the impulses, equal and opposite. The
 /// kinetic energy never rises.
 /// \param[in] least_approach  m/s: only islands with a contact that approaches faster take part
-JumpReport impact(const BlockSystem& blocks, const std::vector<ImpactContact>& contacts, const VectorXd& v,
-                  double least_approach);
+JumpReport impact(const BlockSystem& blocks, const BlockState& state,
+                  const std::vector<ImpactContact>& contacts, const VectorXd& v, double least_approach);
 
 }  // namespace ddacontact

@@ -51,24 +51,24 @@ bool is_slow(const Block& block, const VectorXd& velocity, double speed) {
 
 }  // namespace
 
-SleepingBlocks::SleepingBlocks(BlockSystem& blocks, BlockState& state, std::vector<ContactRecord>& contacts,
+SleepingBlocks::SleepingBlocks(Participants& participants, std::vector<ContactRecord>& contacts,
                                const ContactProperties& properties, MotionLimits& limits, TrialStep& trial)
-    : blocks_(blocks),
-      state_(state),
+    : whole_(participants),
+      participants_(participants),
       contacts_(contacts),
       properties_(properties),
       limits_(limits),
       trial_(trial),
-      sleeping_(blocks.n_blocks()) {}
+      sleeping_(participants.blocks->n_blocks()) {}
 
-SleepingBlocks::PartInPlace::PartInPlace(SleepingBlocks& sleepers) : sleepers_(sleepers) {
+SleepingBlocks::WhileStepping::WhileStepping(SleepingBlocks& sleepers) : sleepers_(sleepers) {
   sleepers_.in_step_ = true;
-  sleepers_.show_part();
+  sleepers_.pass_to_part();
 }
 
-SleepingBlocks::PartInPlace::~PartInPlace() {
+SleepingBlocks::WhileStepping::~WhileStepping() {
   sleepers_.in_step_ = false;
-  sleepers_.show_whole();
+  sleepers_.pass_to_whole();
 }
 
 SleepRecord SleepingBlocks::record() const {
@@ -109,29 +109,29 @@ const std::vector<ContactRecord>& SleepingBlocks::contacts() const {
 }
 
 std::vector<char> SleepingBlocks::find_restless(double dt) const {
-  std::vector<char> restless(blocks_.n_blocks(), 0);
-  const double to = state_.time, from = to - dt, end_time = blocks_.end_time;
-  blocks_.for_load_functions([&](int b, const TimeFunction& function) {
+  std::vector<char> restless(blocks().n_blocks(), 0);
+  const double to = state().time, from = to - dt, end_time = blocks().end_time;
+  blocks().for_load_functions([&](int b, const TimeFunction& function) {
     if (varies(function, from, to, end_time)) restless[b] = 1;
   });
-  for (int b = 0; blocks_.fading.part_left(from) > 0 && b < blocks_.n_blocks(); ++b)
-    if (!blocks_.block(b).unknowns().of(blocks_.fading.forces).isZero(0)) restless[b] = 1;
-  if (ground_varies(blocks_, from, to)) restless.assign(restless.size(), 1);
-  for (const PrescribedDof& held : blocks_.prescribed_dofs())
-    if (varies(held.motion, from, to, end_time)) restless[blocks_.block_of_point(held.vertex)] = 1;
-  for (const FixedVertex& held : blocks_.fixed_vertices) restless[held.block] = 1;
-  mark_blocks_on_bolts(blocks_, restless);
+  for (int b = 0; blocks().fading.part_left(from) > 0 && b < blocks().n_blocks(); ++b)
+    if (!blocks().block(b).unknowns().of(blocks().fading.forces).isZero(0)) restless[b] = 1;
+  if (ground_varies(blocks(), from, to)) restless.assign(restless.size(), 1);
+  for (const PrescribedDof& held : blocks().prescribed_dofs())
+    if (varies(held.motion, from, to, end_time)) restless[blocks().block_of_point(held.vertex)] = 1;
+  for (const FixedVertex& held : blocks().fixed_vertices) restless[held.block] = 1;
+  mark_blocks_on_bolts(blocks(), restless);
   // Contacts that open, or go from sticking to sliding and back as those at their bound do by round-off, show
   // in speeds; those that close under more than makes such a speed bear something new.
   const auto force_of_rest = [&](int b) {
-    return blocks_.block(b).mass_total() * rest_speed(blocks_, b, dt, trial_.analysis().damping) / dt;
+    return blocks().block(b).mass_total() * rest_speed(blocks(), b, dt, trial_.analysis().damping) / dt;
   };
   for (const Contact& contact : trial_.contacts()) {
     const auto [p, q] = contact.pair.blocks();
     const bool has_closed = contact.start_state == ContactState::open && contact.closed();
     for (const auto& [b, other] : {Pair{p, q}, Pair{q, p}})
       if ((has_closed && contact.normal > force_of_rest(b)) ||
-          (contact.closed() && !blocks_.is_movable(other) && !blocks_.is_unchanging(other)))
+          (contact.closed() && !blocks().is_movable(other) && !blocks().is_unchanging(other)))
         restless[b] = 1;  // what is driven takes part in every step, and so do its contacts
   }
   return restless;
@@ -141,23 +141,23 @@ bool SleepingBlocks::fall_asleep(double dt) {
   if (!may_sleep()) return false;
   const std::vector<char> restless = find_restless(dt);
   std::vector<int> awake;
-  for (int b = 0; b < blocks_.n_blocks(); ++b) {
-    if (!blocks_.is_movable(b)) continue;
+  for (int b = 0; b < blocks().n_blocks(); ++b) {
+    if (!blocks().is_movable(b)) continue;
     awake.push_back(in_whole(b));
     sleeping_.note(in_whole(b),
-                   !restless[b] && is_slow(blocks_.block(b), state_.going_on(),
-                                           rest_speed(blocks_, b, dt, trial_.analysis().damping)));
+                   !restless[b] && is_slow(blocks().block(b), state().going_on(),
+                                           rest_speed(blocks(), b, dt, trial_.analysis().damping)));
   }
   std::vector<Pair> touching;
   for (const Contact& contact : trial_.contacts())
-    if (contact.closed() && blocks_.is_movable(contact.pair.vertex_block) &&
-        blocks_.is_movable(contact.pair.edge_block))
+    if (contact.closed() && blocks().is_movable(contact.pair.vertex_block) &&
+        blocks().is_movable(contact.pair.edge_block))
       touching.push_back({in_whole(contact.pair.vertex_block), in_whole(contact.pair.edge_block)});
   const std::vector<int> falling = sleeping_.put_to_sleep(awake, touching);
   for (int b : falling) {
-    const Range& u = blocks_.block(asleep_ ? asleep_->part->number_of(b) : b).unknowns();
-    u.of(state_.velocity).setZero();
-    u.of(state_.carried).setZero();
+    const Range& u = blocks().block(asleep_ ? asleep_->part->number_of(b) : b).unknowns();
+    u.of(state().velocity).setZero();
+    u.of(state().carried).setZero();
   }
   return !falling.empty();
 }
@@ -175,34 +175,34 @@ bool SleepingBlocks::wake(int b) {
 bool SleepingBlocks::wake_changing(double dt) {
   if (!asleep_) return false;
   bool woken = false;
-  const double now = state_.time, then = now + dt;
-  if (ground_varies(blocks_, now, then)) {
+  const double now = state().time, then = now + dt;
+  if (ground_varies(blocks(), now, then)) {
     remember();
     sleeping_.wake_all();
     woken = true;
   }
   for (const auto& [block, function] : asleep_->watched)
-    if (varies(*function, now, then, blocks_.end_time)) woken = wake(block) || woken;
+    if (varies(*function, now, then, blocks().end_time)) woken = wake(block) || woken;
   if (woken) regroup();
   return woken;
 }
 
 const std::vector<double>& SleepingBlocks::look_around(double dt, double margin_scale) {
   while (true) {
-    const std::vector<double>& margin = limits_.search_margin(state_, contacts_, dt, margin_scale);
+    const std::vector<double>& margin = limits_.search_margin(blocks(), state(), contacts_, dt, margin_scale);
     if (!asleep_) return margin;
     bool woken = false, covered = true;
-    std::vector<char> driven(blocks_.n_blocks(), 0);
-    for (const PrescribedDof& held : blocks_.prescribed_dofs())
-      if (varies(held.motion, state_.time, state_.time + dt, blocks_.end_time))
-        driven[blocks_.block_of_point(held.vertex)] = 1;
+    std::vector<char> driven(blocks().n_blocks(), 0);
+    for (const PrescribedDof& held : blocks().prescribed_dofs())
+      if (varies(held.motion, state().time, state().time + dt, blocks().end_time))
+        driven[blocks().block_of_point(held.vertex)] = 1;
     std::size_t k = 0;
-    for (int b = 0; b < blocks_.n_blocks(); ++b) {
-      if (blocks_.is_unchanging(b)) continue;
-      const Box box = box_of(blocks_, state_, b, margin[b]);
-      if (blocks_.is_movable(b)) covered = lies_in(box, asleep_->around[k++]) && covered;
-      const bool comes = driven[b] || !blocks_.is_movable(b);
-      if (comes && margin[b] > length_round_off * blocks_.block(b).size())
+    for (int b = 0; b < blocks().n_blocks(); ++b) {
+      if (blocks().is_unchanging(b)) continue;
+      const Box box = box_of(blocks(), state(), b, margin[b]);
+      if (blocks().is_movable(b)) covered = lies_in(box, asleep_->around[k++]) && covered;
+      const bool comes = driven[b] || !blocks().is_movable(b);
+      if (comes && margin[b] > length_round_off * blocks().block(b).size())
         for (std::size_t other = 0; other < asleep_->boxes.size(); ++other)
           if (touch(box, asleep_->boxes[other])) woken = wake(static_cast<int>(other)) || woken;
     }
@@ -211,7 +211,7 @@ const std::vector<double>& SleepingBlocks::look_around(double dt, double margin_
     } else if (!covered) {
       remember();
       contacts_ = contacts_in_whole();
-      show_whole();
+      pass_to_whole();
       form_part(nullptr);
     } else {
       return margin;
@@ -244,7 +244,7 @@ void SleepingBlocks::wake_all() {
 
 void SleepingBlocks::regroup(const std::vector<Box>* around) {
   contacts_ = std::vector(contacts());
-  show_whole();
+  pass_to_whole();
   asleep_.reset();
   all_contacts_known_ = false;
   if (sleeping_.n_asleep() > 0) {
@@ -257,48 +257,51 @@ void SleepingBlocks::regroup(const std::vector<Box>* around) {
 }
 
 void SleepingBlocks::survey() {
+  const BlockSystem& whole = *whole_.blocks;
   Asleep& asleep = asleep_.emplace(Asleep{});
-  const auto takes_part = [&](int b) { return !blocks_.is_unchanging(b) && !sleeping_.is_asleep(b); };
+  const auto takes_part = [&](int b) { return !whole.is_unchanging(b) && !sleeping_.is_asleep(b); };
   const auto has_part = [&](const ContactRecord& contact) {
     return takes_part(contact.pair.vertex_block) || takes_part(contact.pair.edge_block);
   };
   std::ranges::copy_if(contacts_, std::back_inserter(asleep.contacts), std::not_fn(has_part));
   std::erase_if(contacts_, std::not_fn(has_part));
   asleep.elastic_of_contacts = spring_energy(asleep.contacts, properties_);
-  for (int b = 0; b < blocks_.n_blocks(); ++b) {
-    asleep.boxes.push_back(box_of(blocks_, state_, b, 0));
+  for (int b = 0; b < whole.n_blocks(); ++b) {
+    asleep.boxes.push_back(box_of(whole, *whole_.state, b, 0));
     asleep.elastic.push_back(
-        takes_part(b) || !blocks_.is_present(b) ? 0 : blocks_.block(b).elastic_energy(state_));
+        takes_part(b) || !whole.is_present(b) ? 0 : whole.block(b).elastic_energy(*whole_.state));
   }
-  VectorXd forces = VectorXd::Zero(blocks_.n_unknowns());
+  VectorXd forces = VectorXd::Zero(whole.n_unknowns());
   for (const ContactRecord& contact : asleep.contacts) {
     if (!contact.closed()) continue;
     ++asleep.n_closed;
-    properties_.add_forces(blocks_, state_, contact, forces);
+    properties_.add_forces(whole, *whole_.state, contact, forces);
   }
-  asleep.reactions = Points::Zero(2, state_.position.cols());
+  asleep.reactions = Points::Zero(2, whole_.state->position.cols());
   const auto watch = [&](int block, const TimeFunction& function) {
     if (sleeping_.is_asleep(block) && !is_steady(function)) asleep.watched.push_back({block, &function});
   };
-  for (const PrescribedDof& held : blocks_.prescribed_dofs()) {
-    const int b = blocks_.block_of_point(held.vertex);
-    if (!blocks_.is_movable(b)) asleep.reactions(held.axis, held.vertex) -= forces[held.unknown];
+  for (const PrescribedDof& held : whole.prescribed_dofs()) {
+    const int b = whole.block_of_point(held.vertex);
+    if (!whole.is_movable(b)) asleep.reactions(held.axis, held.vertex) -= forces[held.unknown];
     watch(b, held.motion);
   }
-  blocks_.for_load_functions(watch);
+  whole.for_load_functions(watch);
 }
 
 void SleepingBlocks::form_part(const std::vector<Box>* around) {
   Asleep& asleep = *asleep_;
-  const int n_blocks = blocks_.n_blocks();
+  const BlockSystem& whole = *whole_.blocks;
+  const int n_blocks = whole.n_blocks();
   std::vector<char> resting(n_blocks, 0), takes_part(n_blocks, 0);
   std::vector<Box> boxes;
   for (int b = 0; b < n_blocks; ++b) {
     resting[b] = sleeping_.is_asleep(b);
-    takes_part[b] = blocks_.is_present(b) && !resting[b] && !blocks_.is_unchanging(b);
+    takes_part[b] = whole.is_present(b) && !resting[b] && !whole.is_unchanging(b);
     // Neighbours are looked for as far as its size, and its reach, around a block.
-    if (takes_part[b] && blocks_.is_movable(b) && !around)
-      boxes.push_back(box_of(blocks_, state_, b, blocks_.block(b).size() + limits_.largest_search_margin(b)));
+    if (takes_part[b] && whole.is_movable(b) && !around)
+      boxes.push_back(box_of(whole, *whole_.state, b,
+                             whole.block(b).size() + limits_.largest_search_margin(whole.block(b))));
   }
   asleep.around = around ? *around : boxes;
 
@@ -309,7 +312,7 @@ void SleepingBlocks::form_part(const std::vector<Box>* around) {
     Box all = boxes.front();
     for (const Box& box : boxes) all = joined(all, box);
     for (int b = 0; b < n_blocks; ++b)
-      if (blocks_.is_present(b) && !takes_part[b] && touch(all, asleep.boxes[b])) {
+      if (whole.is_present(b) && !takes_part[b] && touch(all, asleep.boxes[b])) {
         near.push_back(b);
         boxes.push_back(asleep.boxes[b]);
       }
@@ -317,7 +320,7 @@ void SleepingBlocks::form_part(const std::vector<Box>* around) {
     for (const auto& [a, b] : overlapping_pairs(boxes))
       if (a < n_around && b >= n_around) takes_part[near[b - n_around]] = 1;
   }
-  mark_blocks_on_bolts(blocks_, takes_part);  // they are awake, or held
+  mark_blocks_on_bolts(whole, takes_part);  // they are awake, or held
   std::vector<int> part;
   asleep.elastic_outside = asleep.elastic_of_contacts;
   for (int b = 0; b < n_blocks; ++b) {
@@ -326,7 +329,7 @@ void SleepingBlocks::form_part(const std::vector<Box>* around) {
     else
       asleep.elastic_outside += asleep.elastic[b];
   }
-  asleep.part.emplace(blocks_, std::move(part), resting);
+  asleep.part.emplace(whole, std::move(part), resting);
 
   std::erase_if(contacts_, [&](ContactRecord& contact) {
     int &a = contact.pair.vertex_block, &b = contact.pair.edge_block;
@@ -334,7 +337,7 @@ void SleepingBlocks::form_part(const std::vector<Box>* around) {
     b = asleep.part->number_of(b);
     return a < 0 || b < 0;
   });
-  show_part();
+  pass_to_part();
   ContactProperties properties = properties_;
   properties.materials.clear();
   properties.edge_joints.clear();
@@ -344,26 +347,26 @@ void SleepingBlocks::form_part(const std::vector<Box>* around) {
   }
   trial_.forget_pairs(properties);
   trial_.make_system();
-  if (!in_step_) show_whole();
+  if (!in_step_) pass_to_whole();
 }
 
 void SleepingBlocks::spread_reactions(const Points& of_step, Points& of_whole) const {
   const std::vector<int>& points = asleep_->part->points();
   for (int p = 0; p < static_cast<int>(points.size()); ++p)
-    if (!asleep_->part->is_resting(blocks_.block_of_point(p)))
+    if (!asleep_->part->is_resting(blocks().block_of_point(p)))
       of_whole.col(points[p]) = of_step.col(p) + asleep_->reactions.col(points[p]);
 }
 
-void SleepingBlocks::show_part() {
-  if (!asleep_ || part_in_place_) return;
-  asleep_->part->put_in(blocks_, state_);
-  part_in_place_ = true;
+void SleepingBlocks::pass_to_part() {
+  if (!asleep_ || !whole_takes_part()) return;
+  asleep_->part->read(*whole_.blocks, *whole_.state);
+  participants_ = {&asleep_->part->system(), &asleep_->part->state()};
 }
 
-void SleepingBlocks::show_whole() {
-  if (!part_in_place_) return;
-  asleep_->part->take_out(blocks_, state_);
-  part_in_place_ = false;
+void SleepingBlocks::pass_to_whole() {
+  if (whole_takes_part()) return;
+  asleep_->part->write(*whole_.blocks, *whole_.state);
+  participants_ = whole_;
 }
 
 }  // namespace ddacontact

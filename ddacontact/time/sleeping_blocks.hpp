@@ -12,23 +12,24 @@
 
 namespace ddacontact {
 
-/// Blocks that sleep take no part in a step: while one is made the blocks, their state and the contacts are
-/// those of a part of the whole, with what rests near it.
+/// Blocks that sleep take no part in a step: its participants and contacts are those of a part of the whole,
+/// with what rests near it. Between steps the participants are the whole.
 class SleepingBlocks {
  public:
-  /// Arguments are those of the run; while the part is in place they are those of the part.
-  /// \param[in] properties  of the contacts of the whole
-  /// \param[in] trial       made anew for the blocks that take part when these change
-  SleepingBlocks(BlockSystem& blocks, BlockState& state, std::vector<ContactRecord>& contacts,
+  /// \param[in,out] participants  at first the whole
+  /// \param[in,out] contacts      of those that take part
+  /// \param[in] properties        of the contacts of the whole
+  /// \param[in] trial             made anew for the blocks that take part when these change
+  SleepingBlocks(Participants& participants, std::vector<ContactRecord>& contacts,
                  const ContactProperties& properties, MotionLimits& limits, TrialStep& trial);
 
-  /// While it lives a step is made: the part is in place.
-  class PartInPlace {
+  /// While it lives a step is made: the participants are the part.
+  class WhileStepping {
    public:
-    explicit PartInPlace(SleepingBlocks& sleepers);
-    ~PartInPlace();
-    PartInPlace(const PartInPlace&) = delete;
-    PartInPlace& operator=(const PartInPlace&) = delete;
+    explicit WhileStepping(SleepingBlocks& sleepers);
+    ~WhileStepping();
+    WhileStepping(const WhileStepping&) = delete;
+    WhileStepping& operator=(const WhileStepping&) = delete;
 
    private:
     SleepingBlocks& sleepers_;
@@ -66,7 +67,7 @@ class SleepingBlocks {
   /// The contacts of the part have changed.
   void contacts_changed() { all_contacts_known_ = false; }
   /// The number in the whole of a block of a step.
-  int in_whole(int b) const { return part_in_place_ ? asleep_->part->blocks()[b] : b; }
+  int in_whole(int b) const { return whole_takes_part() ? b : asleep_->part->blocks()[b]; }
   /// Numbers in the whole of all blocks of a step; empty: the whole takes part.
   std::span<const int> in_whole() const {
     return asleep_ ? std::span<const int>(asleep_->part->blocks()) : std::span<const int>{};
@@ -89,11 +90,15 @@ class SleepingBlocks {
   void survey();
   /// Makes the part of the blocks that are awake and what is near them.
   void form_part(const std::vector<Box>* around);
-  void show_part();
-  void show_whole();
+  bool whole_takes_part() const { return participants_.blocks == whole_.blocks; }
+  /// Makes the part, or the whole, the participants, in the state that the others were in.
+  void pass_to_part();
+  void pass_to_whole();
+  const BlockSystem& blocks() const { return *participants_.blocks; }
+  BlockState& state() const { return *participants_.state; }
 
-  BlockSystem& blocks_;
-  BlockState& state_;
+  const Participants whole_;
+  Participants& participants_;
   std::vector<ContactRecord>& contacts_;
   const ContactProperties& properties_;
   MotionLimits& limits_;
@@ -120,7 +125,7 @@ class SleepingBlocks {
     int n_closed = 0;              ///< of `contacts`
   };
   std::optional<Asleep> asleep_;
-  bool in_step_ = false, part_in_place_ = false;
+  bool in_step_ = false;
   mutable std::vector<ContactRecord> all_contacts_;  ///< made when asked for, while someone sleeps
   mutable bool all_contacts_known_ = false;
 };

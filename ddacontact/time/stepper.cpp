@@ -39,7 +39,7 @@ bool Stepper::step() {
     return false;
   bool made = false;
   {
-    const SleepingBlocks::PartInPlace while_stepping(sleepers_);
+    const SleepingBlocks::WhileStepping while_stepping(sleepers_);
     made = make_substeps();
   }
   if (!made) return false;
@@ -57,8 +57,8 @@ bool Stepper::step() {
 
 Stepper::Substep Stepper::next_substep(long steps_made) {
   const double end = progress_.start_time() + static_cast<double>(steps_made + 1) * analysis_.time_step;
-  const double remaining = end - state_.time;
-  const double wanted = std::min(substep_, limits_.predicted_step(state_, contacts_));
+  const double remaining = end - state_now().time;
+  const double wanted = std::min(substep_, limits_.predicted_step(blocks_now(), state_now(), contacts_));
   const double shortest = shortest_substep * longest_substep();
   constexpr double round_off = std::numeric_limits<float>::epsilon();
   const double pieces = std::max(1.0, std::ceil(remaining / std::max(wanted, shortest) - round_off));
@@ -80,7 +80,7 @@ bool Stepper::make_substeps() {
       if (result == Trial::accepted) {
         substep_ = std::min(longest_substep(), std::max(substep_, 2 * dt));
         if (is_last) {
-          state_.time = end;
+          state_now().time = end;
           ++run_.counts.steps;
         }
         accepted_ = {substep_, run_.counts};
@@ -96,8 +96,8 @@ bool Stepper::make_substeps() {
       discard_trials();
       stop_reason_ = dynamic_cast<const polyfem::OutOfMemory*>(&error)
                          ? error.what()
-                         : "out of memory with " + std::to_string(blocks_.n_equations()) + " unknowns and " +
-                               std::to_string(trial_.contacts().size()) + " contacts";
+                         : "out of memory with " + std::to_string(blocks_now().n_equations()) +
+                               " unknowns and " + std::to_string(trial_.contacts().size()) + " contacts";
       return false;
     }
     ++run_.counts.rejected;
@@ -129,7 +129,6 @@ void Stepper::discard_trials() {
   substep_ = accepted_.substep;
   run_.counts = accepted_.counts;
   sleepers_.discard();
-  blocks_.prepare(state_);
   forget_ahead();
   margin_scale_ = 1;
 }
@@ -171,17 +170,18 @@ Stepper::Trial Stepper::make_trial(double dt) {
   if (refuses(solution, dt)) return Trial::rejected;
 
   bool outran = false;
-  for (int b = 0; b < blocks_.n_blocks(); ++b) {
-    if (!blocks_.is_movable(b)) continue;
-    const double furthest = blocks_.block(b).furthest_vertex(solution.d);
+  for (int b = 0; b < blocks_now().n_blocks(); ++b) {
+    if (!blocks_now().is_movable(b)) continue;
+    const double furthest = blocks_now().block(b).furthest_vertex(solution.d);
     if (furthest > limits_.largest_displacement()) {
-      rejection_ = "block " + quoted(blocks_.names[b]) +
+      rejection_ = "block " + quoted(blocks_now().names[b]) +
                    " moves further in one step than max_displacement_ratio allows";
       return Trial::rejected;
     }
     if (furthest > search_margin_[b]) {
-      rejection_ = "block " + quoted(blocks_.names[b]) + " moves further in one step than its search margin";
-      if (search_margin_[b] >= limits_.largest_search_margin(b)) return Trial::rejected;
+      rejection_ =
+          "block " + quoted(blocks_now().names[b]) + " moves further in one step than its search margin";
+      if (search_margin_[b] >= limits_.largest_search_margin(blocks_now().block(b))) return Trial::rejected;
       outran = true;
     }
   }
@@ -196,9 +196,9 @@ Stepper::Trial Stepper::make_trial(double dt) {
              (of.closed() && (!properties_.has_multipliers() || of.motion.rounding));
     });
   };
-  if (const std::optional<Pair> overlap = find_driven_overlap(blocks_, end.state, gives_way)) {
-    rejection_ = "supports drive blocks " + quoted(blocks_.names[(*overlap)[0]]) + " and " +
-                 quoted(blocks_.names[(*overlap)[1]]) + " into each other";
+  if (const std::optional<Pair> overlap = find_driven_overlap(blocks_now(), end.state, gives_way)) {
+    rejection_ = "supports drive blocks " + quoted(blocks_now().names[(*overlap)[0]]) + " and " +
+                 quoted(blocks_now().names[(*overlap)[1]]) + " into each other";
     return Trial::rejected;
   }
   // Which corner meets which edge is chosen before the motion is known: where that was wrong it shows here.
@@ -228,7 +228,7 @@ void Stepper::detect(double dt) {
 }
 
 std::vector<Contact> Stepper::contacts_to_begin_with() {
-  const SleepingBlocks::PartInPlace while_looking(sleepers_);
+  const SleepingBlocks::WhileStepping while_looking(sleepers_);
   forget_ahead();
   detect(analysis_.time_step);
   detected_ = false;

@@ -155,17 +155,16 @@ class Stepper {
   void accept(double dt, const TrialSolution& solution, TrialEnd end);
   void count(const TrialSolution& solution, const ContactEnds& ends);
   void note_concave(const std::vector<int>& concave, double time);
-  /// Prepares the blocks for the new state. The integrals of the shape functions of incremental blocks change
+  /// Gives the blocks their new shapes. The integrals of the shape functions of incremental blocks change
   /// with the shape, so that the same vertex velocities would carry another momentum: free blocks are given
   /// the difference as a translation. The paper preset leaves it.
-  void prepare_and_keep_momentum();
+  void reshape_and_keep_momentum();
   void record_reactions(const VectorXd& d, const Residual& residual);
   /// Whether the substep just made is an equilibrium, and what of it makes results doubtful.
   void assess(double dt, const TrialSolution& solution, const BlockState& next);
   bool is_static() const { return analysis_.mode == Mode::statics; }
-
-  // While a step is made blocks_, state_, contacts_ and all that is made for them are those of the blocks
-  // that take part: see SleepingBlocks.
+  BlockSystem& blocks_now() const { return *participants_.blocks; }
+  BlockState& state_now() const { return *participants_.state; }
 
   BlockSystem blocks_;
   std::vector<Stage> stages_;
@@ -176,7 +175,8 @@ class Stepper {
   ContactProperties properties_;
 
   BlockState state_;
-  std::vector<ContactRecord> contacts_;  ///< of the last accepted substep
+  Participants participants_{&blocks_, &state_};  ///< in the step that is made
+  std::vector<ContactRecord> contacts_;           ///< of the last accepted substep, of the participants
   RunAccounts run_;
   Points reactions_of_step_;
 

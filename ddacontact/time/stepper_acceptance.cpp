@@ -13,30 +13,31 @@
 namespace ddacontact {
 
 void Stepper::accept(double dt, const TrialSolution& solution, TrialEnd end) {
-  assert(end.state.time > state_.time && dt > 0);
+  assert(end.state.time > state_now().time && dt > 0);
   accepting_ = true;
   BlockState& next = end.state;
   record_reactions(solution.straight, solution.residual);
-  const AcceptedTrial accepted{blocks_, state_, trial_, solution};
+  const AcceptedTrial accepted{blocks_now(), state_now(), trial_, solution};
   account(accepted, run_.energy.now);
   run_.energy.now.numerical_dissipated +=
       lost_by_joints(trial_.builder().properties(), contacts_, trial_.contacts());
   for (const std::string& bolt : end_bolts(accepted, next, run_.energy.now))
     run_.notes.push_back("bolt " + quoted(bolt) + " has torn at time " + std::to_string(next.time) + " s");
   assess(dt, solution, next);
-  book_kinetic(kinetic_energy(blocks_, next.velocity), run_.energy.now);
-  const ContactEnds ends = end_histories(blocks_, next, trial_.system().rule(), trial_.builder().properties(),
-                                         trial_.contacts(), run_.energy.now);
+  book_kinetic(kinetic_energy(blocks_now(), next.velocity), run_.energy.now);
+  const ContactEnds ends = end_histories(blocks_now(), next, trial_.system().rule(),
+                                         trial_.builder().properties(), trial_.contacts(), run_.energy.now);
   account_impact(solution.impact, run_.energy.now);
   note_concave(end.concave, next.time);
   contacts_.assign(trial_.contacts().begin(), trial_.contacts().end());
-  state_ = std::move(next);
-  prepare_and_keep_momentum();
-  run_.energy.now.kinetic = kinetic_energy(blocks_, state_.velocity);
+  state_now() = std::move(next);
+  reshape_and_keep_momentum();
+  run_.energy.now.kinetic = kinetic_energy(blocks_now(), state_now().velocity);
   run_.energy.now.elastic =
-      elastic_energy(blocks_, state_, contacts_, trial_.builder().properties()) + sleepers_.elastic_energy();
+      elastic_energy(blocks_now(), state_now(), contacts_, trial_.builder().properties()) +
+      sleepers_.elastic_energy();
   const bool some_fell_asleep = sleepers_.fall_asleep(dt);
-  if (some_fell_asleep) book_kinetic(kinetic_energy(blocks_, state_.velocity), run_.energy.now);
+  if (some_fell_asleep) book_kinetic(kinetic_energy(blocks_now(), state_now().velocity), run_.energy.now);
   tolerated_work_ = 0;
   for (const Contact& contact : trial_.contacts())
     tolerated_work_ += std::max(contact.normal, 0.0) * trial_.options().penetration_tolerance * contact.size;
@@ -46,7 +47,7 @@ void Stepper::accept(double dt, const TrialSolution& solution, TrialEnd end) {
   detected_ = false;
   margin_scale_ = 1;
   sleepers_.contacts_changed();
-  run_.counts.equations = blocks_.n_equations();
+  run_.counts.equations = blocks_now().n_equations();
   if (some_fell_asleep) sleepers_.regroup();
   run_.counts.asleep = sleepers_.n_asleep();
   accepting_ = false;
@@ -70,7 +71,7 @@ void Stepper::note_concave(const std::vector<int>& concave, double time) {
   for (int b : concave) {
     if (!run_.convex[sleepers_.in_whole(b)]) continue;
     run_.convex[sleepers_.in_whole(b)] = false;
-    run_.notes.push_back("block " + quoted(blocks_.names[b]) + " is no longer convex at time " +
+    run_.notes.push_back("block " + quoted(blocks_now().names[b]) + " is no longer convex at time " +
                          std::to_string(time) + " s: it goes on with " +
                          (analysis_.kinematics == Kinematics::corotational
                               ? "the functions of its starting shape"
@@ -79,7 +80,7 @@ void Stepper::note_concave(const std::vector<int>& concave, double time) {
 }
 
 void Stepper::look_ahead(long steps_made) {
-  if (state_.carried_dt > 0) {
+  if (state_now().carried_dt > 0) {
     try {
       for (bool cut = true; cut;) {
         const Substep next = next_substep(steps_made);
@@ -100,14 +101,16 @@ void Stepper::look_ahead(long steps_made) {
       const TrialSolution& solution = ahead_->solution;
       VectorXd next = solution.straight / dt;
       if (solution.impact.changes()) next -= solution.impact.jump;
-      state_.velocity = (dt * state_.carried + state_.carried_dt * next) / (dt + state_.carried_dt);
+      state_now().velocity =
+          (dt * state_now().carried + state_now().carried_dt * next) / (dt + state_now().carried_dt);
       for (const auto& [b, acceleration] : solution.impact.acceleration_before) {
-        const Range& u = blocks_.block(b).unknowns();
-        u.of(state_.velocity) = u.of(state_.carried) + state_.carried_dt / 2 * acceleration;
+        const Range& u = blocks_now().block(b).unknowns();
+        u.of(state_now().velocity) = u.of(state_now().carried) + state_now().carried_dt / 2 * acceleration;
       }
       // Central differences keep the energy less (v - v_before) M (v - v_before) / 8.
-      if (stable_) tolerated_work_ += kinetic_energy(blocks_, solution.straight / dt - state_.carried) / 4;
-      book_kinetic(kinetic_energy(blocks_, state_.velocity), run_.energy.now);
+      if (stable_)
+        tolerated_work_ += kinetic_energy(blocks_now(), solution.straight / dt - state_now().carried) / 4;
+      book_kinetic(kinetic_energy(blocks_now(), state_now().velocity), run_.energy.now);
     } else {
       accepted_.counts.unknown_velocities = ++run_.counts.unknown_velocities;
       if (ahead_) ++ahead_->counts.unknown_velocities;
@@ -120,47 +123,47 @@ void Stepper::assess(double dt, const TrialSolution& solution, const BlockState&
   const Points& reactions = sleepers_.n_asleep() > 0 ? reactions_of_step_ : run_.reactions;
   const VectorXd velocity = is_static() ? solution.d / dt : next.velocity;
   const double before = run_.equilibrium.unbalanced;
-  run_.equilibrium = find_equilibrium(trial_.system(), solution.straight, solution.residual,
-                                      trial_.contacts(), reactions, velocity);
+  run_.equilibrium =
+      find_equilibrium(trial_.system(), solution, trial_.contacts(), state_now(), reactions, velocity);
   for (int* b : {&run_.equilibrium.unbalanced_block, &run_.equilibrium.fastest_block})
     if (*b >= 0) *b = sleepers_.in_whole(*b);
   run_.equilibrium.unbalanced_before = before;
-  run_.warnings.note({.blocks = blocks_,
+  run_.warnings.note({.blocks = blocks_now(),
                       .state = next,
                       .d = solution.d,
                       .contacts = trial_.contacts(),
                       .dt = dt,
-                      .time = state_.time + dt,
+                      .time = state_now().time + dt,
                       .has_velocities = !is_static(),
                       .is_first = !begun_,
                       .in_whole = sleepers_.in_whole()});
 }
 
-void Stepper::prepare_and_keep_momentum() {
+void Stepper::reshape_and_keep_momentum() {
   if (analysis_.preset == Preset::paper || analysis_.kinematics == Kinematics::corotational || is_static()) {
-    blocks_.prepare(state_);
+    blocks_now().reshape(state_now());
     return;
   }
-  Points before(2, blocks_.n_blocks());
-  for (int b = 0; b < blocks_.n_blocks(); ++b)
-    before.col(b) = rigid_velocity(blocks_.block(b), state_.velocity).linear;
-  blocks_.prepare(state_);
-  for (int b = 0; b < blocks_.n_blocks(); ++b) {
-    if (!blocks_.is_free(b)) continue;
-    const Block& block = blocks_.block(b);
-    const Vec2 lost = before.col(b) - rigid_velocity(block, state_.velocity).linear;
-    block.unknowns().of(state_.velocity) += block.translations() * lost;
+  Points before(2, blocks_now().n_blocks());
+  for (int b = 0; b < blocks_now().n_blocks(); ++b)
+    before.col(b) = rigid_velocity(blocks_now().block(b), state_now(), state_now().velocity).linear;
+  blocks_now().reshape(state_now());
+  for (int b = 0; b < blocks_now().n_blocks(); ++b) {
+    if (!blocks_now().is_free(b)) continue;
+    const Block& block = blocks_now().block(b);
+    const Vec2 lost = before.col(b) - rigid_velocity(block, state_now(), state_now().velocity).linear;
+    block.unknowns().of(state_now().velocity) += block.translations() * lost;
   }
 }
 
 void Stepper::record_reactions(const VectorXd& d, const Residual& residual) {
   Points& reactions = sleepers_.n_asleep() > 0 ? reactions_of_step_ : run_.reactions;
-  reactions.setZero(2, state_.position.cols());
-  for (const PrescribedDof& held : blocks_.prescribed_dofs())
+  reactions.setZero(2, state_now().position.cols());
+  for (const PrescribedDof& held : blocks_now().prescribed_dofs())
     reactions(held.axis, held.vertex) += residual.force[held.unknown];
   for (const StepSystem::FixedPointSpring& spring : trial_.system().fixed_point_springs()) {
-    const FixedVertex& held = blocks_.fixed_vertices[spring.fixed_vertex];
-    reactions(spring.axis, blocks_.block(held.block).vertices().first + held.vertex) -=
+    const FixedVertex& held = blocks_now().fixed_vertices[spring.fixed_vertex];
+    reactions(spring.axis, blocks_now().block(held.block).vertices().first + held.vertex) -=
         trial_.system().fixed_point_stiffness() * spring.form(d);
   }
   if (sleepers_.n_asleep() > 0) sleepers_.spread_reactions(reactions, run_.reactions);

@@ -64,14 +64,14 @@ Stepper::Stepper(BlockSystem blocks, BlockState initial, const ContactProperties
       limits_(blocks_, stages_.front().analysis),
       properties_(contacts),
       state_(std::move(initial)),
-      trial_(blocks_, state_, contacts_, analysis_, properties_, run_.counts),
-      sleepers_(blocks_, state_, contacts_, properties_, limits_, trial_) {
+      trial_(participants_, contacts_, analysis_, properties_, run_.counts),
+      sleepers_(participants_, contacts_, properties_, limits_, trial_) {
   run_.reactions = Points::Zero(2, state_.position.cols());
   remove_later(stages_, blocks_);
   if (std::ranges::any_of(stages_, [](const Stage& stage) { return stage.water.any(); }))
     faces_ = divide_faces(blocks_);
   apply(stages_.front(), 0);
-  blocks_.prepare(state_, true);
+  blocks_.reshape(state_, true);
   for (const Bolt& bolt : blocks_.bolts)
     if (bolt.installed) put_in(bolt, blocks_, state_);
   for (int b = 0; b < blocks_.n_blocks(); ++b) {
@@ -79,7 +79,8 @@ Stepper::Stepper(BlockSystem blocks, BlockState initial, const ContactProperties
     run_.convex.push_back(block.cell(0).basis == &polyfem::wachspress &&
                           !polyfem::find_non_convex_corner(block.reference().leftCols(block.n_vertices())));
   }
-  trial_.detect_first(analysis_.time_step, limits_.search_margin(state_, {}, analysis_.time_step, 1));
+  trial_.detect_first(analysis_.time_step,
+                      limits_.search_margin(blocks_, state_, {}, analysis_.time_step, 1));
   contacts_.assign(trial_.contacts().begin(), trial_.contacts().end());
   accepted_ = {substep_, run_.counts};
   sleepers_.accept();
@@ -91,7 +92,7 @@ void Stepper::apply(const Stage& stage, double start_time) {
   limits_.set_analysis(analysis_);
   change_blocks(stage, start_time, faces_, blocks_);
   if (!stage.added.empty()) {
-    blocks_.prepare(state_, true);
+    blocks_.reshape(state_, true);
     state_.coordinates.resize(0);
   }
   trial_.forget_pairs(properties_);  // it knows those that were there, and the ground
@@ -114,7 +115,8 @@ void Stepper::apply(const Stage& stage, double start_time) {
 }
 
 void Stepper::begin_contacts_of(const std::vector<int>& coming) {
-  trial_.detect_first(analysis_.time_step, limits_.search_margin(state_, {}, analysis_.time_step, 1), coming);
+  trial_.detect_first(analysis_.time_step, limits_.search_margin(blocks_, state_, {}, analysis_.time_step, 1),
+                      coming);
   for (const Contact& contact : trial_.contacts())
     if (contact.closed() &&
         std::ranges::any_of(contact.pair.blocks(), [&](int b) { return std::ranges::count(coming, b) > 0; }))
@@ -261,7 +263,7 @@ void Stepper::restore(StepRecord record) {
   state_ = std::move(record.state);
   contacts_ = std::move(record.contacts);
   find_motions();
-  blocks_.prepare(state_, true);
+  blocks_.reshape(state_, true);
   forget_ahead();
   margin_scale_ = 1;
   accepted_ = {substep_, run_.counts};

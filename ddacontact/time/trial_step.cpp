@@ -70,10 +70,9 @@ void find_meeting(const BlockSystem& blocks, const VectorXd& predicted, double l
 
 }  // namespace
 
-TrialStep::TrialStep(BlockSystem& blocks, BlockState& state, const std::vector<ContactRecord>& last,
+TrialStep::TrialStep(const Participants& participants, const std::vector<ContactRecord>& last,
                      const AnalysisOptions& analysis, const ContactProperties& properties, StepCounts& counts)
-    : blocks_(blocks),
-      state_(state),
+    : participants_(participants),
       last_(last),
       analysis_(analysis),
       counts_(counts),
@@ -82,42 +81,42 @@ TrialStep::TrialStep(BlockSystem& blocks, BlockState& state, const std::vector<C
 }
 
 void TrialStep::make_system() {
-  system_.emplace(blocks_);
+  system_.emplace(blocks());
   forget_islands();
 }
 
 VectorXd TrialStep::predicted_motion(const BlockState& from, double dt) const {
   const bool at_rest = is_static() || analysis_.preset == Preset::paper;
   VectorXd d = at_rest ? VectorXd::Zero(from.velocity.size()) : VectorXd(dt * from.going_on());
-  if (analysis_.preset == Preset::paper || blocks_.prescribed_dofs().empty()) return d;
-  const VectorXd prescribed = blocks_.prescribed(from, from.time + dt);
-  for (const PrescribedDof& held : blocks_.prescribed_dofs()) d[held.unknown] = prescribed[held.unknown];
+  if (analysis_.preset == Preset::paper || blocks().prescribed_dofs().empty()) return d;
+  const VectorXd prescribed = blocks().prescribed(from, from.time + dt);
+  for (const PrescribedDof& held : blocks().prescribed_dofs()) d[held.unknown] = prescribed[held.unknown];
   return d;
 }
 
 void TrialStep::detect(double dt, const std::vector<double>& margin, bool doubts) {
   doubts_ = doubts;
   builder_->keep_pairs(analysis_.skip.skin);
-  builder_->build(state_, predicted_motion(state_, dt), margin, last_, contacts_);
+  builder_->build(state(), predicted_motion(state(), dt), margin, last_, contacts_);
   keep_start();
 }
 
 void TrialStep::detect_first(double dt, const std::vector<double>& margin, const std::vector<int>& coming) {
   builder_->keep_pairs(analysis_.skip.skin);
-  contacts_ = builder_->build_first(state_, predicted_motion(state_, dt), margin, coming);
+  contacts_ = builder_->build_first(state(), predicted_motion(state(), dt), margin, coming);
   keep_start();
 }
 
 bool TrialStep::take_missed(const BlockState& next) {
-  if (!builder_->find_missed(state_, next, contacts_)) return false;
+  if (!builder_->find_missed(state(), next, contacts_)) return false;
   restart();
-  builder_->add_missed(state_, contacts_);
+  builder_->add_missed(state(), contacts_);
   keep_start();
   return true;
 }
 
 void TrialStep::keep_start() {
-  share_friction_at_seams(blocks_, state_, builder_->properties(), contacts_);
+  share_friction_at_seams(blocks(), state(), builder_->properties(), contacts_);
   for_all(contacts_.size(), [&](std::size_t c) {
     contacts_[c].start_state = contacts_[c].history.state;
     contacts_[c].start_bonded = contacts_[c].history.bonded;
@@ -146,7 +145,7 @@ TrialSolution TrialStep::solve_with_impacts(double dt, const TrialSolution* warm
       const polyfem::Stopwatch watch(times_.solver);
       if (round > 0) solution.forces = forces();
       restart();
-      impact = predict_impact({blocks_, state_, builder_->properties(), contacts_, rule, dt}, forced);
+      impact = predict_impact({blocks(), state(), builder_->properties(), contacts_, rule, dt}, forced);
     }
     solution = solve_with(dt, std::move(impact), round > 0 ? &solution : warm_start);
     if (!solution.rejection.empty() || !find_unpredicted(dt, solution, forced)) break;
@@ -168,26 +167,25 @@ bool TrialStep::find_unpredicted(double dt, const TrialSolution& solution, std::
     const Contact& start = contacts_[c];
     if (start.start_state != ContactState::open || !start.closed() || solution.impact.hit[c]) continue;
     if (!restitution_of(builder_->properties(), start.pair, rule(dt))) continue;
-    const double rate = start.motion.change_along(start.first_gap().gradient, state_.going_on());
-    if (-rate > least_approach(blocks_, start, dt)) forced[c] = 1;
+    const double rate = start.motion.change_along(start.first_gap().gradient, state().going_on());
+    if (-rate > least_approach(blocks(), start, dt)) forced[c] = 1;
   }
   return forced != before && std::find(forced.begin(), forced.end(), 1) != forced.end();
 }
 
 TrialSolution TrialStep::solve_with(double dt, StepImpact impact, const TrialSolution* warm_start) {
   assert(!warm_start || warm_start->forces.size() == contacts_.size());
-  BlockState& from = impact.changes() ? impact.start : state_;
+  const BlockState& from = impact.changes() ? impact.start : state();
   const StepStart start = step_from(analysis_, from, dt);
   {
     const polyfem::Stopwatch watch(times_.assembly);
-    if (impact.changes()) blocks_.prepare(from);
     system_->set_step(from, start, builder_->properties().normal_stiffness);
     system_->problem().keep_factor(analysis_.skip.unchanged_factor);
   }
   const polyfem::Stopwatch watch(times_.solver);
   restart();
   solved_ = true;
-  set_dashpots(blocks_, builder_->properties(), dt, contacts_);
+  set_dashpots(blocks(), builder_->properties(), dt, contacts_);
   if (impact.changes())
     for (Contact& contact : contacts_) builder_->start_from(from, contact);
   for (std::size_t c = 0; warm_start && c < contacts_.size(); ++c) {
@@ -196,7 +194,7 @@ TrialSolution TrialStep::solve_with(double dt, StepImpact impact, const TrialSol
   }
   if (!is_classic()) {
     VectorXd predicted = predicted_motion(from, dt);
-    find_meeting(blocks_, system_->displacement(predicted), builder_->properties().lip, impact, contacts_);
+    find_meeting(blocks(), system_->displacement(predicted), builder_->properties().lip, impact, contacts_);
   }
   TrialSolution solution;
   const polyfem::Cholesky& cholesky = system_->problem().cholesky();
@@ -207,10 +205,8 @@ TrialSolution TrialStep::solve_with(double dt, StepImpact impact, const TrialSol
     solve_by_contact_solver(start, from, warm_start, solution);
   solution.straight = solution.d;
   solution.d = system_->displacement(solution.straight);
-  if (impact.changes()) {
-    for (Contact& contact : contacts_) builder_->start_from(state_, contact);
-    blocks_.prepare(state_);
-  }
+  if (impact.changes())
+    for (Contact& contact : contacts_) builder_->start_from(state(), contact);
   solution.impact = std::move(impact);
   add(cholesky.work().since(before));
   return solution;
@@ -234,12 +230,12 @@ void TrialStep::solve_by_open_close(TrialSolution& solution) {
       why_rejected(report.status, between(report.disagreeing), is_driven(report.disagreeing));
 }
 
-void TrialStep::solve_by_contact_solver(const StepStart& start, BlockState& from,
+void TrialStep::solve_by_contact_solver(const StepStart& start, const BlockState& from,
                                         const TrialSolution* warm_start, TrialSolution& solution) {
   options_.local =
       !is_static() && (start.rule.is_explicit() ||
                        std::all_of(contacts_.begin(), contacts_.end(), [&](const Contact& contact) {
-                         return carries_waves(blocks_, contact, system_->dt());
+                         return carries_waves(blocks(), contact, system_->dt());
                        }));
   options_.skip = analysis_.skip;
   options_.directions = start.rule.directions();
@@ -248,7 +244,7 @@ void TrialStep::solve_by_contact_solver(const StepStart& start, BlockState& from
   options_.warm_start = warm_start;
   if (warm_start) solution.d += warm_start->straight - warm_start->start;
   const bool apart = analysis_.skip.islands && analysis_.preset != Preset::paper && !is_static() &&
-                     islands_.divide(blocks_, contacts_);
+                     islands_.divide(blocks(), contacts_);
   ContactSolverReport report = apart ? islands_.solve(from, start, *system_, options_, contacts_, solution.d)
                                      : solve_contacts(*system_, options_, contacts_, solution.d);
   if (apart) add(islands_.last_work());
@@ -267,14 +263,14 @@ void TrialStep::solve_by_contact_solver(const StepStart& start, BlockState& from
 std::string TrialStep::between(int contact) const {
   if (contact < 0) return "";
   const VertexEdge& pair = contacts_[contact].pair;
-  return ", last between blocks " + quoted(blocks_.names[pair.vertex_block]) + " and " +
-         quoted(blocks_.names[pair.edge_block]);
+  return ", last between blocks " + quoted(blocks().names[pair.vertex_block]) + " and " +
+         quoted(blocks().names[pair.edge_block]);
 }
 
 bool TrialStep::is_driven(int contact) const {
-  return contact >= 0 && std::ranges::any_of(blocks_.prescribed_dofs(), [&](const PrescribedDof& held) {
+  return contact >= 0 && std::ranges::any_of(blocks().prescribed_dofs(), [&](const PrescribedDof& held) {
            return system_->prescribed()[held.unknown] != 0 &&
-                  std::ranges::count(contacts_[contact].pair.blocks(), blocks_.block_of_point(held.vertex)) >
+                  std::ranges::count(contacts_[contact].pair.blocks(), blocks().block_of_point(held.vertex)) >
                       0;
          });
 }

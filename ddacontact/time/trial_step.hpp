@@ -4,9 +4,10 @@
 #include <ddacontact/classic/open_close.hpp>
 #include <ddacontact/contact/contact_builder.hpp>
 #include <ddacontact/core/options.hpp>
-#include <ddacontact/solver/contact_solver.hpp>
 #include <ddacontact/equations/islands_apart.hpp>
+#include <ddacontact/solver/contact_solver.hpp>
 #include <ddacontact/time/impacts.hpp>
+#include <ddacontact/time/participants.hpp>
 #include <ddacontact/time/step_counts.hpp>
 #include <ddacontact/time/step_from.hpp>
 
@@ -50,14 +51,15 @@ struct TrialEnd {
 /// motion by the contact method, again where corners meet other edges than those chosen.
 class TrialStep {
  public:
-  /// Keeps references: a trial uses the arguments as they are when it is made.
+  /// Keeps references: a trial uses the arguments as they are when it is made. When others take part pairs are
+  /// to be forgotten and the system is to be made.
   /// \param[in] last  contacts of the last accepted substep
   /// \param[in,out] counts  what solutions take is added
-  TrialStep(BlockSystem& blocks, BlockState& state, const std::vector<ContactRecord>& last,
+  TrialStep(const Participants& participants, const std::vector<ContactRecord>& last,
             const AnalysisOptions& analysis, const ContactProperties& properties, StepCounts& counts);
 
   /// Forgets pairs of blocks that may meet: blocks have other numbers, or others take part.
-  void forget_pairs(const ContactProperties& properties) { builder_.emplace(blocks_, properties); }
+  void forget_pairs(const ContactProperties& properties) { builder_.emplace(blocks(), properties); }
   /// Forgets the systems of islands: their loads, water and supports are those of the last stage.
   void forget_islands() { islands_.clear(); }
   /// Makes the system (13) anew, for the blocks that take part now.
@@ -98,9 +100,11 @@ class TrialStep {
   /// lines that corners meet.
   static constexpr int most_rounds = 4;
 
+  const BlockSystem& blocks() const { return *participants_.blocks; }
+  const BlockState& state() const { return *participants_.state; }
   bool is_static() const { return analysis_.mode == Mode::statics; }
   bool is_classic() const { return builder_->properties().method == ContactMethod::classic; }
-  StepRule rule(double dt) const { return rule_from(analysis_, state_, dt); }
+  StepRule rule(double dt) const { return rule_from(analysis_, state(), dt); }
   /// Keeps the part of the contacts that a solution changes.
   void keep_start();
   /// Restores the contacts to before the last solution, if there was one.
@@ -119,9 +123,9 @@ class TrialStep {
   /// Marks in `forced` contacts that closed fast and were not predicted; false: there are none.
   bool find_unpredicted(double dt, const TrialSolution& solution, std::vector<char>& forced) const;
   void solve_by_open_close(TrialSolution& solution);
-  /// \param[in] from  where the step starts, lent to the systems of islands
-  void solve_by_contact_solver(const StepStart& start, BlockState& from, const TrialSolution* warm_start,
-                               TrialSolution& solution);
+  /// \param[in] from  where the step starts
+  void solve_by_contact_solver(const StepStart& start, const BlockState& from,
+                               const TrialSolution* warm_start, TrialSolution& solution);
   std::string between(int contact) const;
   /// Whether supports move a block of the contact.
   bool is_driven(int contact) const;
@@ -129,8 +133,7 @@ class TrialStep {
   void set_supports(const StepRule& rule, BlockState& next) const;
   void set_support_velocities(const StepRule& rule, const VectorXd& d, BlockState& next) const;
 
-  BlockSystem& blocks_;
-  BlockState& state_;
+  const Participants& participants_;
   const std::vector<ContactRecord>& last_;
   const AnalysisOptions& analysis_;
   StepCounts& counts_;

@@ -44,19 +44,17 @@ TrialSolution TrialStep::solve(double dt) {
     bool changed = false;
     if (doubtful.empty()) {
       restart();
-      changed = builder_->choose_again(state_, solution.motion(), last_, contacts_);
+      changed = builder_->choose_again(state(), solution.motion(), last_, contacts_);
     } else {
       const TrialSolution without = solve_without(doubtful, dt, solution);
       if (without.rejection.empty()) {
         ++counts_.corner_solutions;
-        changed = builder_->decide_doubtful(state_, without.motion(), last_, contacts_);
+        changed = builder_->decide_doubtful(state(), without.motion(), last_, contacts_);
       }
       const StepImpact& impact = solution.impact;
       if (impact.changes() || without.impact.changes()) {  // the step of the solution, not that without
-        const BlockState& from = impact.changes() ? impact.start : state_;
-        blocks_.prepare(from);
+        const BlockState& from = impact.changes() ? impact.start : state();
         system_->set_step(from, step_from(analysis_, from, dt), builder_->properties().normal_stiffness);
-        blocks_.prepare(state_);
       }
     }
     if (changed && round == most_rounds) ++counts_.unsettled_corners;

@@ -22,22 +22,22 @@ std::string defect_of(const std::string& name, const PointsRef& outline) {
 }  // namespace
 
 TrialEnd TrialStep::advance(double dt, const TrialSolution& solution) const {
-  TrialEnd end{solution.impact.changes() ? solution.impact.start : state_, "", {}};
+  TrialEnd end{solution.impact.changes() ? solution.impact.start : state(), "", {}};
   BlockState& next = end.state;
   next.time += dt;
-  blocks_.end_step(solution.straight, solution.residual.external, next);
-  std::vector<char> is_concave(blocks_.n_blocks(), 0);
-  for_all(blocks_.n_blocks(), [&](int b) {
-    if (blocks_.is_unchanging(b)) return;
-    const Block& block = blocks_.block(b);
+  system_->end(solution.straight, solution.residual.external, next);
+  std::vector<char> is_concave(blocks().n_blocks(), 0);
+  for_all(blocks().n_blocks(), [&](int b) {
+    if (blocks().is_unchanging(b)) return;
+    const Block& block = blocks().block(b);
     const auto outline = block.outline(next);
     is_concave[b] = polyfem::find_non_convex_corner(outline).has_value();
     const double angle = best_fit_rotation(block.reference().leftCols(outline.cols()), outline);
-    next.rotation[b] += std::remainder(angle - state_.rotation[b], 2 * std::numbers::pi);
+    next.rotation[b] += std::remainder(angle - state().rotation[b], 2 * std::numbers::pi);
   });
-  for (int b = 0; b < blocks_.n_blocks(); ++b) {
+  for (int b = 0; b < blocks().n_blocks(); ++b) {
     if (!is_concave[b]) continue;
-    end.rejection = defect_of(blocks_.names[b], blocks_.block(b).outline(next));
+    end.rejection = defect_of(blocks().names[b], blocks().block(b).outline(next));
     if (!end.rejection.empty()) return end;
     end.concave.push_back(b);
   }
@@ -58,12 +58,12 @@ TrialEnd TrialStep::advance(double dt, const TrialSolution& solution) const {
 /// With half steps supports are where they should be to the bit, without the rounding of the motions.
 void TrialStep::set_supports(const StepRule& rule, BlockState& next) const {
   if (!rule.has_half_steps()) return;
-  for (const PrescribedDof& held : blocks_.prescribed_dofs()) {
-    const int b = blocks_.block_of_unknown(held.unknown);
-    if (blocks_.is_unchanging(b)) continue;
-    next.position(held.axis, held.vertex) = state_.position(held.axis, held.vertex) +
+  for (const PrescribedDof& held : blocks().prescribed_dofs()) {
+    const int b = blocks().block_of_unknown(held.unknown);
+    if (blocks().is_unchanging(b)) continue;
+    next.position(held.axis, held.vertex) = state().position(held.axis, held.vertex) +
                                             system_->prescribed()[held.unknown] +
-                                            (state_.origin(held.axis, b) - next.origin(held.axis, b));
+                                            (state().origin(held.axis, b) - next.origin(held.axis, b));
   }
 }
 
@@ -71,10 +71,10 @@ void TrialStep::set_supports(const StepRule& rule, BlockState& next) const {
 /// it is: with a mean over the step, half a step late, d - dt v0 would make the inertia of what it drives
 /// twice what its acceleration does. Backward Euler's velocities are those means.
 void TrialStep::set_support_velocities(const StepRule& rule, const VectorXd& d, BlockState& next) const {
-  for (const PrescribedDof& held : blocks_.prescribed_dofs())
+  for (const PrescribedDof& held : blocks().prescribed_dofs())
     next.velocity[held.unknown] =
         rule.scheme != Scheme::backward_euler && held.motion.is_history()
-            ? held.motion.rate(held.axis, next.time, system_->dt(), blocks_.end_time)
+            ? held.motion.rate(held.axis, next.time, system_->dt(), blocks().end_time)
             : d[held.unknown] / system_->dt();
 }
 

@@ -108,11 +108,11 @@ Vec2 travel(const Stepper& stepper, int b) {
 }
 
 Vec2 velocity(const Stepper& stepper, int b) {
-  return rigid_velocity(stepper.blocks().block(b), stepper.state().velocity).linear;
+  return rigid_velocity(stepper.blocks().block(b), stepper.state(), stepper.state().velocity).linear;
 }
 
 double angular_velocity(const Stepper& stepper, int b) {
-  return rigid_velocity(stepper.blocks().block(b), stepper.state().velocity).angular;
+  return rigid_velocity(stepper.blocks().block(b), stepper.state(), stepper.state().velocity).angular;
 }
 
 double normal_force_between(const Stepper& stepper, int one, int other) {

@@ -38,7 +38,8 @@ double exact_velocity(int angle, double time) {
 }
 
 double velocity_along_slope(const Stepper& stepper) {
-  const Vec2 v = rigid_velocity(stepper.blocks().block(slider), stepper.state().velocity).linear;
+  const Vec2 v =
+      rigid_velocity(stepper.blocks().block(slider), stepper.state(), stepper.state().velocity).linear;
   return v.dot(Vec2(1, -1).normalized());
 }
 

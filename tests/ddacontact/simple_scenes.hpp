@@ -104,11 +104,11 @@ inline StepStart step_start(const BlockState& state, double dt, const StepRule& 
 
 inline Vec2 momentum(const Stepper& stepper, int b) {
   const Block& of = stepper.blocks().block(b);
-  return of.mass_total() * rigid_velocity(of, stepper.state().velocity).linear;
+  return of.mass_total() * rigid_velocity(of, stepper.state(), stepper.state().velocity).linear;
 }
 
 inline Vec2 centre(const Stepper& stepper, int b) {
-  return stepper.blocks().block(b).centroid();
+  return stepper.blocks().block(b).centroid(stepper.state());
 }
 
 /// Where the centroid has moved to since the start.

@@ -37,7 +37,9 @@ std::vector<std::string> warnings_in(const Scene& scene) {
 }
 
 double final_speed(const BuiltScene& built) {
-  return rigid_velocity(built.stepper->blocks().block(1), built.stepper->state().velocity).linear.norm();
+  return rigid_velocity(built.stepper->blocks().block(1), built.stepper->state(), built.stepper->state(),
+                        built.stepper->state().velocity)
+      .linear.norm();
 }
 
 /// One warning, with these words.

@@ -96,7 +96,7 @@ void add_momenta(const Stepper& stepper, Measured& measured) {
   double angular = 0;
   for_free_blocks(stepper, [&](int b) {
     const Block& block = stepper.blocks().block(b);
-    const RigidVelocity velocity = rigid_velocity(block, stepper.state().velocity);
+    const RigidVelocity velocity = rigid_velocity(block, stepper.state(), stepper.state().velocity);
     const Vec2 momentum = block.mass_total() * velocity.linear;
     const VectorXd& turning = block.rotation();
     linear += momentum;
@@ -117,7 +117,7 @@ void add_monitor(const MonitorTarget& monitor, const Stepper& stepper, bool move
 
 double area_of(const Stepper& stepper) {
   double sum = 0;
-  for_free_blocks(stepper, [&](int b) { sum += stepper.blocks().block(b).moments().area; });
+  for_free_blocks(stepper, [&](int b) { sum += stepper.blocks().block(b).moments(stepper.state()).area; });
   return sum;
 }
 

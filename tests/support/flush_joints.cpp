@@ -98,7 +98,7 @@ double final_speed(const Scene& scene, int block, const Vec2& direction) {
   Stepper& stepper = *built.stepper;
   for (int k = 0; k < scene.n_steps(); ++k)
     if (!stepper.step()) throw Error(stepper.stop_reason());
-  return rigid_velocity(stepper.blocks().block(block), stepper.state().velocity)
+  return rigid_velocity(stepper.blocks().block(block), stepper.state(), stepper.state().velocity)
       .linear.dot(direction.normalized());
 }
 

@@ -112,8 +112,9 @@ TEST(AcceleratedSupports, ThrowWhatTheyHitByItsRestitution) {
             moved(0, wholly ? std::vector{0, 1, 2, 3} : std::vector{0, 1}, Kind::velocity_history, {0, up})};
         const BuiltScene built = run(scene);
         SCOPED_TRACE(static_cast<int>(scheme));
-        const double velocity =
-            rigid_velocity(built.stepper->blocks().block(1), built.stepper->state().velocity).linear.y();
+        const double velocity = rigid_velocity(built.stepper->blocks().block(1), built.stepper->state(),
+                                               built.stepper->state(), built.stepper->state().velocity)
+                                    .linear.y();
         EXPECT_NEAR(velocity, exact, scheme == Scheme::backward_euler ? 0.03 : 2e-3);
         EXPECT_EQ(built.stepper->counts().limited_impacts, 0);
         if (scheme == Scheme::decaying) {
@@ -139,7 +140,9 @@ TEST(AcceleratedSupports, ABlockThatTheySqueezeIsHitLikeAFreeOne) {
     const BuiltScene built = run(scene);
     SCOPED_TRACE(static_cast<int>(scheme));
     const auto velocity = [&](int b) {
-      return rigid_velocity(built.stepper->blocks().block(b), built.stepper->state().velocity).linear.y();
+      return rigid_velocity(built.stepper->blocks().block(b), built.stepper->state(), built.stepper->state(),
+                            built.stepper->state().velocity)
+          .linear.y();
     };
     EXPECT_NEAR(velocity(3), -1 + (1 + restitution) / (1 + ratio), 1e-3);
     EXPECT_NEAR(velocity(2), -(1 + restitution) * ratio / (1 + ratio), 1e-3);
@@ -160,8 +163,8 @@ TEST(AcceleratedSupports, ABondBearsNoMoreThanItsStrengthInAnImpact) {
                   block(rectangle(-0.4905, 0, 0.9905, 1))};
   scene.supports = {moved(1, {0, 1, 2, 3}, Kind::velocity_history, {1, 0})};
   const BuiltScene built = run(scene);
-  const RigidVelocity struck =
-      rigid_velocity(built.stepper->blocks().block(2), built.stepper->state().velocity);
+  const RigidVelocity struck = rigid_velocity(built.stepper->blocks().block(2), built.stepper->state(),
+                                              built.stepper->state(), built.stepper->state().velocity);
   EXPECT_GT(built.stepper->counts().broken_bonds, 0);
   EXPECT_LE(struck.linear.norm(), 3);
   EXPECT_LE(std::abs(struck.angular), 1);

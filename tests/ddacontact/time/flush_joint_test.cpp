@@ -69,7 +69,8 @@ TEST(FlushJoint, AStepThatACornerPassesDoesNotThrowTheBlock) {
                             {.time_step = time_step, .duration = 2e-3});
     const BuiltScene built = build(scene);
     const auto velocity = [&] {
-      return rigid_velocity(built.stepper->blocks().block(last_block(scene)), built.stepper->state().velocity)
+      return rigid_velocity(built.stepper->blocks().block(last_block(scene)), built.stepper->state(),
+                            built.stepper->state(), built.stepper->state().velocity)
           .linear;
     };
     double fastest = 0;

@@ -26,7 +26,7 @@ Scene stiff_scene(double time_step, double end_time, Scheme scheme = Scheme::dec
 }
 
 RigidVelocity rigid(const Stepper& stepper, int b) {
-  return rigid_velocity(stepper.blocks().block(b), stepper.state().velocity);
+  return rigid_velocity(stepper.blocks().block(b), stepper.state(), stepper.state().velocity);
 }
 
 double spin_momentum(const Stepper& stepper, int b) {
@@ -169,7 +169,7 @@ TEST(Impact, OfTwoFreeBlocksKeepsMomentaAndMakesNoEnergy) {
           const auto angular = [&] {
             double sum = 0;
             for (int b : {0, 1}) {
-              const Vec2 x = stepper.blocks().block(b).centroid(), p = momentum(stepper, b);
+              const Vec2 x = stepper.blocks().block(b).centroid(stepper.state()), p = momentum(stepper, b);
               sum += x.x() * p.y() - x.y() * p.x() + spin_momentum(stepper, b);
             }
             return sum;

@@ -115,7 +115,8 @@ TEST(Sleeping, EquationsAreThoseOfTheBlockThatMoves) {
   EXPECT_EQ(stepper.blocks().n_equations(), 8 * mover);
   expect_same_places(stepper, *awake.stepper, 1e-8);
   expect_same_forces(stepper, *awake.stepper, 1e-4 * weight);
-  const Vec2 v = rigid_velocity(stepper.blocks().block(mover), stepper.state().velocity).linear;
+  const Vec2 v =
+      rigid_velocity(stepper.blocks().block(mover), stepper.state(), stepper.state().velocity).linear;
   EXPECT_NEAR(v.y(), 5 - 9.8, 1e-9);
   expect_closed_ledger(stepper);
 }

@@ -17,7 +17,7 @@ TEST(Stages, SettleThenSlideFromRestAsFromTheStart) {
   EXPECT_EQ(stepper.stage(), 0);
   EXPECT_EQ(stepper.state().velocity.norm(), 0) << "a static stage ends at rest";
   EXPECT_EQ(stepper.blocks().displacements(stepper.state()).norm(), 0) << "reset at the end of the stage";
-  const double settled = stepper.blocks().block(1).centroid().norm();
+  const double settled = stepper.blocks().block(1).centroid(stepper.state()).norm();
   run(stepper, 60);
   EXPECT_EQ(stepper.stage(), 1);
   EXPECT_DOUBLE_EQ(stepper.state().time, 0.65);

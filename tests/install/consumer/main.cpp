@@ -25,7 +25,7 @@ vertices = [[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [0.0, 1.0]]
   const ddacontact::BuiltScene built = ddacontact::build(*reading.scene);
   for (int k = 0; k < reading.scene->analysis.steps; ++k)
     if (!built.stepper->step()) return 1;
-  const Eigen::Vector2d centroid = built.stepper->blocks().block(0).centroid();
+  const Eigen::Vector2d centroid = built.stepper->blocks().block(0).centroid(built.stepper->state());
   std::cout << "centroid at " << centroid.transpose() << '\n';
   return std::abs(centroid.y() - 0.45) < 1e-12 ? 0 : 1;
 }
