@@ -20,8 +20,11 @@ using namespace ddacontact;
 class RigidBlock final : public IncrementalBlock {
  public:
   RigidBlock(double density, const PointsRef& outline)
-      : IncrementalBlock({Mat3::Identity(), density}, outline), maps_(outline.cols()) {}
+      : IncrementalBlock({Mat3::Identity(), density}, outline), maps_(outline.cols()) {
+    RigidBlock::take_shape(outline);
+  }
 
+  std::unique_ptr<Block> copy() const override { return std::make_unique<RigidBlock>(*this); }
   int n_unknowns() const override { return 3; }
   int n_stress_points() const override { return 0; }
   bool changes_stress() const override { return false; }
@@ -36,16 +39,17 @@ class RigidBlock final : public IncrementalBlock {
   Points integration_points() const override { return Points(2, 0); }
 
  private:
-  void prepare_shape(const PointsRef& outline) override {
+  void take_shape(const PointsRef& outline) override {
+    const polyfem::AreaMoments moments = polyfem::area_moments(outline);
     for (int v = 0; v < n_vertices(); ++v) {
-      const Vec2 r = outline.col(v) - moments().centroid;
+      const Vec2 r = outline.col(v) - moments.centroid;
       maps_[v] = {{{0, Vec2(1, 0)}, {1, Vec2(0, 1)}, {2, Vec2(-r.y(), r.x())}}};
     }
     translations_ = MatrixXd::Identity(3, 2);
-    new_rotation() = Vec3(0, 0, 1);
+    rotation_ = Vec3(0, 0, 1);
     stiffness_ = MatrixXd::Zero(3, 3);
-    const Vec3 inertia(moments().area, moments().area, moments().second.trace());
-    mass_ = current_density() * MatrixXd(inertia.asDiagonal());
+    const Vec3 inertia(moments.area, moments.area, moments.second.trace());
+    mass_ = density_on(moments) * MatrixXd(inertia.asDiagonal());
   }
 
   std::vector<std::array<PointMap::Term, 3>> maps_;  ///< of each outline vertex

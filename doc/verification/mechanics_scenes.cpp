@@ -75,13 +75,10 @@ BuiltScene run(const Scene& scene) {
   return built;
 }
 
-double inertia(const Block& block) {
-  const auto turning = block.rigid_modes().col(2);
-  return turning.dot(block.mass() * turning);
-}
-
 double angular_momentum(const Stepper& stepper, int b) {
-  return inertia(stepper.blocks().block(b)) * angular_velocity(stepper, b);
+  const Block& block = stepper.blocks().block(b);
+  const VectorXd turning = block.rotation(stepper.state());
+  return turning.dot(block.mass() * turning) * angular_velocity(stepper, b);
 }
 
 Momenta momenta(const Stepper& stepper) {
@@ -89,7 +86,7 @@ Momenta momenta(const Stepper& stepper) {
   for (int b = 0; b < stepper.blocks().n_blocks(); ++b) {
     if (!stepper.blocks().is_movable(b)) continue;
     const Block& of = stepper.blocks().block(b);
-    const Vec2 mv = of.mass_total() * velocity(stepper, b), x = of.centroid();
+    const Vec2 mv = of.mass_total() * velocity(stepper, b), x = of.centroid(stepper.state());
     sum.linear += mv;
     sum.sum_of_moduli += mv.norm();
     sum.angular += x.x() * mv.y() - x.y() * mv.x() + angular_momentum(stepper, b);
@@ -104,7 +101,7 @@ double mechanical_energy(const Stepper& stepper) {
 
 Vec2 travel(const Stepper& stepper, int b) {
   const Block& of = stepper.blocks().block(b);
-  return of.centroid() - polyfem::area_moments(of.reference()).centroid;
+  return of.centroid(stepper.state()) - polyfem::area_moments(of.reference()).centroid;
 }
 
 Vec2 velocity(const Stepper& stepper, int b) {

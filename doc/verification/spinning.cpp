@@ -96,7 +96,7 @@ Spun spin(BlockModel model, Scheme scheme) {
       spun.angular_momentum =
           std::max(spun.angular_momentum, std::abs(angular_momentum(stepper, 0) / L0 - 1));
       spun.energy_up = std::max(spun.energy_up, mechanical_energy(stepper) / E0 - 1);
-      const double area = of.moments().area / of.reference_area() - 1;
+      const double area = of.moments(stepper.state()).area / of.reference_area() - 1;
       if (k / steps_a_turn < 10) early.take(area);
       if (k / steps_a_turn >= turns - 10) late.take(area);
     }
@@ -157,7 +157,7 @@ struct Law {
 
 double measured_area(const Stepper& stepper) {
   const Block& block = stepper.blocks().block(0);
-  return block.moments().area / block.reference_area();
+  return block.moments(stepper.state()).area / block.reference_area();
 }
 double measured_speed(const Stepper& stepper) {
   return angular_velocity(stepper, 0) / turn;

@@ -98,9 +98,10 @@ void add_momenta(const Stepper& stepper, Measured& measured) {
     const Block& block = stepper.blocks().block(b);
     const RigidVelocity velocity = rigid_velocity(block, stepper.state(), stepper.state().velocity);
     const Vec2 momentum = block.mass_total() * velocity.linear;
-    const VectorXd& turning = block.rotation();
+    const VectorXd turning = block.rotation(stepper.state());
     linear += momentum;
-    angular += cross(block.centroid(), momentum) + velocity.angular * turning.dot(block.mass() * turning);
+    angular += cross(block.centroid(stepper.state()), momentum) +
+               velocity.angular * turning.dot(block.mass() * turning);
   });
   add("momentum", linear, measured);
   measured["angular momentum"] = angular;

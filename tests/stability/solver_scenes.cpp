@@ -11,18 +11,16 @@ Scene stack_scene(int blocks, double time_step, int steps) {
 }
 
 StartedBlocks::StartedBlocks(const Scene& scene, double dt) : built_(build(scene)) {
-  const Stepper& stepper = *built_.stepper;
-  const BlockState& state = stepper.state();
-  StepRule rule;
-  rule.scheme = scene.analysis.scheme;
-  for (int b = 0; b < stepper.blocks().n_blocks(); ++b)
-    const_cast<Block&>(stepper.blocks().block(b))
-        .begin_step(state, {rule, dt, state.velocity, state.carried});
+  const BlockState& state = built_.stepper->state();
+  start_ = {.dt = dt, .velocity = state.velocity, .acceleration = state.carried};
+  start_.rule.scheme = scene.analysis.scheme;
 }
 
 VectorXd StartedBlocks::elastic_force(int b, const VectorXd& d) const {
+  std::unique_ptr<BlockStep> step;
+  block(b).begin_step(built_.stepper->state(), start_, step);
   BlockForces forces;
-  block(b).forces(d, forces);
+  step->forces(d, forces);
   return forces.elastic;
 }
 

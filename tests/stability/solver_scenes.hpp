@@ -26,6 +26,7 @@ class StartedBlocks {
 
  private:
   BuiltScene built_;
+  StepStart start_;
 };
 
 /// States of all contacts, in their order.

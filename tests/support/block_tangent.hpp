@@ -5,10 +5,11 @@
 
 namespace support {
 
-/// The derivative of the forces that resist d, n_unknowns x n_unknowns.
-inline ddacontact::MatrixXd tangent_of(const ddacontact::Block& block, const ddacontact::VectorXd& d) {
+/// The derivative of the forces that resist d in a step of the block, n_unknowns x n_unknowns.
+inline ddacontact::MatrixXd tangent_of(const ddacontact::Block& block, const ddacontact::BlockStep& step,
+                                       const ddacontact::VectorXd& d) {
   std::vector<ddacontact::MatrixXd> parts(block.n_parts());
-  block.tangent(d, parts);
+  step.tangent(d, parts);
   ddacontact::MatrixXd sum = ddacontact::MatrixXd::Zero(block.n_unknowns(), block.n_unknowns());
   for (int p = 0; p < block.n_parts(); ++p) {
     const std::vector<int> u = block.part_unknowns(p);

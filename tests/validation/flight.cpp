@@ -89,7 +89,7 @@ void spun(Report& report) {
       for (int k = 0; k < steps; ++k) {
         run(stepper, 1);
         const Block& of = stepper.blocks().block(0);
-        grown = std::max(grown, std::abs(of.moments().area / of.reference_area() - 1));
+        grown = std::max(grown, std::abs(of.moments(stepper.state()).area / of.reference_area() - 1));
         lost = std::max(lost, std::abs(angular_momentum(stepper, 0) / L - 1));
       }
       const double period = spin * stepper.state().time / stepper.state().rotation[0] - 1;

@@ -69,7 +69,7 @@ Computed compute(const Case& of, double time_step) {
   const Block& block = stepper.blocks().block(1);
   StepRecord record = stepper.record();
   record.state.velocity.segment(block.unknowns().first, block.unknowns().count) =
-      of.velocity * block.rigid_modes().leftCols<2>() * slider.down();
+      of.velocity * block.translations() * slider.down();
   stepper.restore(std::move(record));
 
   Computed computed;

@@ -1,5 +1,6 @@
 #include <ddacontact/block/block_system.hpp>
 #include <ddacontact/block/corotational_block.hpp>
+#include <ddacontact/block/corotational_step.hpp>
 #include <polyfem/core/parallel.hpp>
 #include <polyfem/material/linear_elastic.hpp>
 #include <tests/support/allocations.hpp>
@@ -24,37 +25,37 @@ std::shared_ptr<const CorotationalShape> shape_of(const Points& outline) {
 /// congruent.
 struct FlyingBlocks {
   explicit FlyingBlocks(int n) : system(make_blocks(n)), state(system.initial_state()) {
-    system.prepare(state, true);
     system.find_coordinates(state);
     std::srand(3);
     state.velocity = VectorXd::Random(system.n_unknowns());
     start = {step_rule({}, 1e-3, 1e-3), 1e-3, state.velocity, state.carried};
     parts.resize(n);
+    steps.resize(n);
     next = state;
     step();
   }
 
   /// All that a step asks of its blocks.
   void step() {
-    system.begin_step(state, start);
     d.resize(system.n_unknowns());
     change.setConstant(system.n_unknowns(), 1e-5);
     double energy = 0;
     for (int b = 0; b < system.n_blocks(); ++b) {
       const Block& block = system.block(b);
       const Range& u = block.unknowns();
-      block.free_path(d.segment(u.first, u.count));
-      block.add_change(change.segment(u.first, u.count), d.segment(u.first, u.count));
-      block.forces(d.segment(u.first, u.count), forces);
+      block.begin_step(state, start, steps[b]);
+      const BlockStep& step = *steps[b];
+      step.free_path(d.segment(u.first, u.count));
+      step.add_change(change.segment(u.first, u.count), d.segment(u.first, u.count));
+      step.forces(d.segment(u.first, u.count), forces);
       parts[b].resize(1);
-      block.tangent(d.segment(u.first, u.count), parts[b]);
-      energy += block.stored_energy(d.segment(u.first, u.count)) +
-                block.elastic_loss(d.segment(u.first, u.count), forces.elastic) +
+      step.tangent(d.segment(u.first, u.count), parts[b]);
+      energy += step.stored_energy(d.segment(u.first, u.count)) +
+                step.elastic_loss(d.segment(u.first, u.count), forces.elastic) +
                 block.kinetic_energy(state.velocity.segment(u.first, u.count)) + block.elastic_energy(state);
+      step.end(d.segment(u.first, u.count), change.segment(u.first, u.count), true, next);
     }
     EXPECT_GT(energy, 0);
-    system.end_step(d, change, next);
-    system.prepare(next);
   }
 
   BlockSystem system;
@@ -63,6 +64,7 @@ struct FlyingBlocks {
   VectorXd d, change;
   BlockForces forces;
   std::vector<std::vector<MatrixXd>> parts;
+  std::vector<std::unique_ptr<BlockStep>> steps;
 
  private:
   static std::vector<std::unique_ptr<Block>> make_blocks(int n) {

@@ -20,9 +20,10 @@ TEST(RigidVelocity, IsThatOfTheMomentaWhateverTheStrainRate) {
   VectorXd velocity = VectorXd::Constant(built.stepper->blocks().n_unknowns(), 7);
   for (int v = 0; v < 4; ++v)
     velocity.segment<2>(second.unknowns().first + 2 * v) = mean + G * (outline.col(v) - of.centroid);
-  const RigidVelocity rigid = rigid_velocity(second, velocity);
+  const RigidVelocity rigid = rigid_velocity(second, built.stepper->state(), velocity);
   EXPECT_LE((rigid.linear - mean).norm(), 1e-11);
   const Mat2 I = G * of.second;  // integral of velocity times place
   EXPECT_NEAR(rigid.angular, (I(1, 0) - I(0, 1)) / of.second.trace(), 1e-11);
-  EXPECT_NEAR(rigid_velocity(built.stepper->blocks().block(0), velocity).angular, 0, 1e-14);
+  EXPECT_NEAR(rigid_velocity(built.stepper->blocks().block(0), built.stepper->state(), velocity).angular, 0,
+              1e-14);
 }

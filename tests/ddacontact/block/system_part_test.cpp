@@ -17,20 +17,19 @@ Scene four_blocks() {
 
 }  // namespace
 
-TEST(SystemPart, TakesThePlaceOfTheWholeAndGivesItBack) {
+TEST(SystemPart, IsASystemOfItsOwnWhoseStateIsReadAndWritten) {
   BuiltScene built = build(four_blocks());
-  BlockSystem& system = blocks_of(built);
-  BlockState state = built.stepper->state();
-  state.velocity = VectorXd::LinSpaced(32, 0, 31);
-  state.rotation = VectorXd::LinSpaced(4, 0, 3);
-  const BlockState before = state;
-  BlockSystem::Part part(system, {1, 2, 3}, {0, 0, 0, 1});
+  BlockSystem& whole = blocks_of(built);
+  BlockState of_whole = built.stepper->state();
+  of_whole.velocity = VectorXd::LinSpaced(32, 0, 31);
+  of_whole.rotation = VectorXd::LinSpaced(4, 0, 3);
+  const BlockState before = of_whole;
+  BlockSystem::Part part(whole, {1, 2, 3}, {0, 0, 0, 1});
   EXPECT_EQ(part.number_of(2), 1);
   EXPECT_EQ(part.number_of(0), -1);
-  EXPECT_EQ(system.n_unknowns(), 32) << "the blocks are the whole's until it is put in";
-  EXPECT_EQ(system.block(3).unknowns().first, 24);
-
-  part.put_in(system, state);
+  part.read(whole, of_whole);
+  const BlockSystem& system = part.system();
+  BlockState& state = part.state();
   EXPECT_EQ(system.n_blocks(), 3);
   EXPECT_EQ(system.n_unknowns(), 24);
   EXPECT_EQ(system.n_equations(), 8) << "one is held and one rests";
@@ -39,7 +38,7 @@ TEST(SystemPart, TakesThePlaceOfTheWholeAndGivesItBack) {
   EXPECT_TRUE(system.is_unchanging(0) && system.is_unchanging(2));
   EXPECT_EQ(system.block(1).unknowns().first, 8);
   EXPECT_EQ(state.velocity, before.velocity.tail(24));
-  EXPECT_EQ(system.positions(state), built.stepper->blocks().positions(state));
+  EXPECT_EQ(system.positions(state), whole.positions(of_whole).rightCols(12));
   EXPECT_EQ(system.names[0], "1");
   VectorXd F = VectorXd::Zero(24);
   system.add_loads(state, 0, F);
@@ -50,14 +49,13 @@ TEST(SystemPart, TakesThePlaceOfTheWholeAndGivesItBack) {
   state.velocity.segment(8, 8).setConstant(7);
   state.position(0, 5) += 1;
   state.time = 5;
-  part.take_out(system, state);
-  EXPECT_EQ(system.n_blocks(), 4);
-  EXPECT_EQ(system.block(3).unknowns().first, 24);
-  EXPECT_EQ(state.time, 5);
+  part.write(whole, of_whole);
+  EXPECT_EQ(whole.block(3).unknowns().first, 24) << "its blocks have kept their numbers";
+  EXPECT_EQ(of_whole.time, 5);
   BlockState expected = before;
   expected.velocity.segment(16, 8).setConstant(7);
   expected.position(0, 9) += 1;
-  EXPECT_EQ(state.velocity, expected.velocity);
-  EXPECT_EQ(state.position, expected.position);
-  EXPECT_EQ(state.rotation, expected.rotation);
+  EXPECT_EQ(of_whole.velocity, expected.velocity);
+  EXPECT_EQ(of_whole.position, expected.position);
+  EXPECT_EQ(of_whole.rotation, expected.rotation);
 }

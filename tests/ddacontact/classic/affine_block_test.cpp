@@ -18,7 +18,7 @@ struct AffineBlockAtRest {
 
   explicit AffineBlockAtRest(const Points& outline, const std::optional<ControlVertices>& control = {})
       : system(only(outline, control)), state(system.initial_state()) {
-    system.prepare(state, true);
+    system.reshape(state, true);
   }
   static std::vector<std::unique_ptr<Block>> only(const Points& outline,
                                                   const std::optional<ControlVertices>& control) {

@@ -70,7 +70,7 @@ TEST(OpenClose, ABlockPushedBeyondFrictionSlidesInTheSenseOfThePush) {
     // d = a dt^2 / 2 from rest: the block's acceleration tells the friction that acted.
     const Block& slider = trial.built.stepper->blocks().block(1);
     const VectorXd d = trial.d.segment(slider.unknowns().first, slider.n_unknowns());
-    const double force = slider.rigid_modes().col(0).dot(slider.mass() * d) * 2 / 0.01;
+    const double force = slider.translations().col(0).dot(slider.mass() * d) * 2 / 0.01;
     EXPECT_NEAR(std::abs(force), 30e3 - friction, 1e-7 * 30e3);
   }
 }

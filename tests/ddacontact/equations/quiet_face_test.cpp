@@ -26,7 +26,7 @@ struct Dashpots {
   VectorXd all(const Vec3& rigid) const {
     VectorXd v = VectorXd::Zero(blocks().n_unknowns());
     const Block& of = blocks().block(1);
-    v.segment(of.unknowns().first, of.n_unknowns()) = of.rigid_modes() * rigid;
+    v.segment(of.unknowns().first, of.n_unknowns()) = of.rigid_modes(built.stepper->state()) * rigid;
     return v;
   }
   /// The force on the block.

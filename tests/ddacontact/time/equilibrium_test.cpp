@@ -21,8 +21,8 @@ Equilibrium of_flight(const Vec2& reaction) {
   const TrialSolution solution = step.solve();
   Points reactions = Points::Zero(2, 4);
   reactions.col(0) = reaction;
-  return find_equilibrium(step.trial.system(), solution.straight, solution.residual, step.trial.contacts(),
-                          reactions, step.state.velocity);
+  return find_equilibrium(step.trial.system(), solution, step.trial.contacts(), step.state, reactions,
+                          step.state.velocity);
 }
 
 }  // namespace

@@ -27,11 +27,9 @@ struct Flying {
     return scene;
   }
   void set(VectorXd& of_all, int b, const RigidVelocity& rigid) const {
-    blocks.block(b).unknowns().of(of_all) = as_velocity(blocks.block(b), rigid);
+    blocks.block(b).unknowns().of(of_all) = as_velocity(blocks.block(b), state, rigid);
   }
-  Vec2 centre(const BlockState& of, int b) const {
-    return of.origin.col(b) + polyfem::area_moments(blocks.block(b).outline(of)).centroid;
-  }
+  Vec2 centre(const BlockState& of, int b) const { return blocks.block(b).centroid(of); }
 };
 
 }  // namespace
@@ -123,8 +121,8 @@ TEST(FreeFlight, VelocitiesTurnAboutThatOfTheCentre) {
   const Block& block = flying.blocks.block(1);
   VectorXd velocity = VectorXd::Random(flying.blocks.n_unknowns());
   const VectorXd before = velocity;
-  const auto of = [&](const VectorXd& all) { return rigid_velocity(block, all); };
-  turn_about_centre(block, turned_by(0.7), velocity);
+  const auto of = [&](const VectorXd& all) { return rigid_velocity(block, flying.state, all); };
+  turn_about_centre(block, flying.state, turned_by(0.7), velocity);
   EXPECT_LE((of(velocity).linear - of(before).linear).norm(), 1e-13);
   EXPECT_NEAR(block.kinetic_energy(block.unknowns().of(velocity)),
               block.kinetic_energy(block.unknowns().of(before)), 1e-9);
@@ -142,7 +140,7 @@ TEST(FreeFlight, VelocitiesTurnAboutThatOfTheCentre) {
 TEST(FreeFlight, RigidVelocitiesAreThoseOfEveryBlock) {
   Flying flying;
   for (int b = 0; b < 4; ++b) flying.set(flying.velocity, b, {{b + 1.0, -b}, 0.5 * b});
-  const std::vector<RigidVelocity> of_blocks = rigid_velocities(flying.blocks, flying.velocity);
+  const std::vector<RigidVelocity> of_blocks = rigid_velocities(flying.blocks, flying.state, flying.velocity);
   ASSERT_EQ(of_blocks.size(), 4u);
   for (int b = 0; b < 4; ++b) {
     EXPECT_LE((of_blocks[b].linear - Vec2(b + 1.0, -b)).norm(), 1e-13);

@@ -17,7 +17,7 @@ struct LandingBlock {
 
   explicit LandingBlock(double bound, ContactTerm::Normal normal = ContactTerm::Normal::unilateral)
       : of({floor_block, block(rectangle(0, 0, 2, 1))}),
-        motions(of.blocks, std::array{0, 1}),
+        motions(of.blocks, of.state, std::array{0, 1}),
         problem(motions, terms(bound, normal)) {}
   std::vector<ContactTerm> terms(double bound, ContactTerm::Normal normal) const {
     std::vector<ContactTerm> terms;

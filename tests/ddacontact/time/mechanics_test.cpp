@@ -31,7 +31,7 @@ RigidVelocity rigid(const Stepper& stepper, int b) {
 
 double spin_momentum(const Stepper& stepper, int b) {
   const Block& of = stepper.blocks().block(b);
-  const VectorXd& turning = of.rotation();
+  const VectorXd turning = of.rotation(stepper.state());
   return turning.dot(of.mass() * turning) * rigid(stepper, b).angular;
 }
 

@@ -38,12 +38,13 @@ TEST(MotionLimits, NoVertexOutrunsItsLimitInASubstep) {
       const Points now = built.stepper->blocks().positions(built.stepper->state());
       const long taken = built.stepper->counts().substeps - substeps;
       furthest = (now - before).middleCols(4, 4).colwise().norm().maxCoeff() / static_cast<double>(taken);
-      EXPECT_LE(furthest, limits.largest_search_margin(1));
+      EXPECT_LE(furthest, limits.largest_search_margin(built.stepper->blocks().block(1)));
       substeps += taken;
       before = now;
     }
-    EXPECT_DOUBLE_EQ(limits.largest_search_margin(1), preset == Preset::paper ? 0.5 : 0.0625);
-    EXPECT_GT(furthest, 0.3 * limits.largest_search_margin(1));
+    EXPECT_DOUBLE_EQ(limits.largest_search_margin(built.stepper->blocks().block(1)),
+                     preset == Preset::paper ? 0.5 : 0.0625);
+    EXPECT_GT(furthest, 0.3 * limits.largest_search_margin(built.stepper->blocks().block(1)));
   }
 }
 
@@ -51,12 +52,15 @@ TEST(MotionLimits, ReachCoversTheMotionForeseenAndHeldBlocksNone) {
   const Scene scene = falling_blocks(Preset::standard);
   const BuiltScene built = build(scene);
   MotionLimits limits(built.stepper->blocks(), scene.analysis);
-  const auto search_margin = limits.search_margin(built.stepper->state(), {}, 0.01, 1);
+  const auto search_margin =
+      limits.search_margin(built.stepper->blocks(), built.stepper->state(), {}, 0.01, 1);
   EXPECT_GT(search_margin[1], 0.01);
   EXPECT_GT(search_margin[0], 0.0005);
   EXPECT_EQ(search_margin[2], 0);
-  EXPECT_GT(limits.search_margin(built.stepper->state(), {}, 0.01, 2)[1], 1.9 * search_margin[1]);
-  EXPECT_LE(limits.search_margin(built.stepper->state(), {}, 0.01, 1e9)[1], limits.largest_search_margin(1));
-  const double t = limits.predicted_step(built.stepper->state(), {});
+  EXPECT_GT(limits.search_margin(built.stepper->blocks(), built.stepper->state(), {}, 0.01, 2)[1],
+            1.9 * search_margin[1]);
+  EXPECT_LE(limits.search_margin(built.stepper->blocks(), built.stepper->state(), {}, 0.01, 1e9)[1],
+            limits.largest_search_margin(built.stepper->blocks().block(1)));
+  const double t = limits.predicted_step(built.stepper->blocks(), built.stepper->state(), {});
   EXPECT_NEAR(1 * t + scene.analysis.gravity.norm() * t * t / 2, 0.9 * 0.0625, 1e-12);
 }

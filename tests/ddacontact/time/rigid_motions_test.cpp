@@ -40,7 +40,7 @@ constexpr std::array all_four{0, 1, 2, 3};
 TEST(RigidMotions, AreThoseThatSupportsAllowWithTheEnergyOfTheirCoefficients) {
   const BuiltScene built = supported_blocks();
   const BlockSystem& blocks = built.stepper->blocks();
-  const RigidMotions motions(blocks, all_four);
+  const RigidMotions motions(blocks, built.stepper->state(), all_four);
   ASSERT_EQ(motions.n_coefficients(), 3 + 1 + 2);
   EXPECT_EQ(motions.largest_mass(), 2000 * 4);
   const VectorXd q = VectorXd::LinSpaced(6, -1, 2);
@@ -65,7 +65,7 @@ TEST(RigidMotions, AreThoseThatSupportsAllowWithTheEnergyOfTheirCoefficients) {
 TEST(RigidMotions, WhatIsLeftOfAVelocityIsOrthogonalToThem) {
   const BuiltScene built = supported_blocks();
   const BlockSystem& blocks = built.stepper->blocks();
-  const RigidMotions motions(blocks, std::array{0, 1});
+  const RigidMotions motions(blocks, built.stepper->state(), std::array{0, 1});
   VectorXd left = VectorXd::LinSpaced(blocks.n_unknowns(), -2, 3).array().square();
   for (int u = 0; u < left.size(); ++u)
     if (blocks.equation()[static_cast<std::size_t>(u)] < 0) left[u] = 0;
@@ -79,7 +79,7 @@ TEST(RigidMotions, WhatIsLeftOfAVelocityIsOrthogonalToThem) {
 TEST(RigidMotions, RatesOfFormsAreThoseOfTheirMotions) {
   const BuiltScene built = supported_blocks();
   const BlockSystem& blocks = built.stepper->blocks();
-  const RigidMotions motions(blocks, all_four);
+  const RigidMotions motions(blocks, built.stepper->state(), all_four);
   AffineForm form;
   form.constant = 7;
   blocks.block(1).vertex_map(0).add_to(form, {0.3, -1});

@@ -65,7 +65,7 @@ TEST(RoundedCorner, ATiltedSquareRollsOnItsArc) {
     EXPECT_LE((C + c * Vec2(-std::sin(b * degree), std::cos(b * degree)) - G).norm(), 1e-3);
     const double inertia = 1.0 / 6 + (G - Vec2(C.x(), 0)).squaredNorm(),
                  speed = std::sqrt(2 * 9.8 * c * (std::cos(b0 * degree) - std::cos(b * degree)) / inertia);
-    const double w = rigid_velocity(blocks.block(1), stepper.state().velocity).angular;
+    const double w = rigid_velocity(blocks.block(1), stepper.state(), stepper.state().velocity).angular;
     EXPECT_NEAR(w, speed, 0.01 * speed);
   }
 }

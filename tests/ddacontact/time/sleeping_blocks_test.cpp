@@ -15,7 +15,7 @@ struct Sleepers {
   explicit Sleepers(double height)
       : step(scene(height), 40),
         limits(step.blocks, step.analysis),
-        sleepers(step.blocks, step.state, step.contacts, step.properties, limits, step.trial) {}
+        sleepers(step.participants, step.contacts, step.properties, limits, step.trial) {}
   static Scene scene(double height) {
     Scene scene = default_mechanics(0.01);
     scene.analysis.skip.sleep = true;
@@ -58,12 +58,13 @@ TEST(SleepingBlocks, AreLeftOutOfStepsAndComeBack) {
   EXPECT_EQ(two.sleepers.n_closed(), static_cast<int>(n_contacts));
   EXPECT_EQ(two.sleepers.contacts().size(), n_contacts) << "of the whole";
   {
-    const SleepingBlocks::PartInPlace part(two.sleepers);
+    const SleepingBlocks::WhileStepping stepping(two.sleepers);
     EXPECT_TRUE(two.step.contacts.empty());
-    EXPECT_EQ(two.step.blocks.n_blocks(), static_cast<int>(two.sleepers.in_whole().size()));
-    EXPECT_LT(two.step.blocks.n_blocks(), 3);
+    EXPECT_EQ(two.step.participants.blocks->n_blocks(), static_cast<int>(two.sleepers.in_whole().size()));
+    EXPECT_LT(two.step.participants.blocks->n_blocks(), 3);
+    EXPECT_EQ(two.step.blocks.n_blocks(), 3) << "the whole is as it was";
   }
-  EXPECT_EQ(two.step.blocks.n_blocks(), 3);
+  EXPECT_EQ(two.step.participants.blocks, &two.step.blocks);
   EXPECT_EQ(two.step.state.position, at);
   two.sleepers.wake_all();
   EXPECT_EQ(two.sleepers.n_asleep(), 0);
@@ -101,7 +102,7 @@ TEST(SleepingBlocks, WhatFliesStaysAwake) {
   EXPECT_TRUE(with_flight.sleepers.is_asleep(2));
   EXPECT_FALSE(with_flight.sleepers.is_asleep(3));
   with_flight.sleepers.regroup();
-  const SleepingBlocks::PartInPlace part(with_flight.sleepers);
+  const SleepingBlocks::WhileStepping stepping(with_flight.sleepers);
   EXPECT_TRUE(std::ranges::count(with_flight.sleepers.in_whole(), 3));
   EXPECT_FALSE(std::ranges::count(with_flight.sleepers.in_whole(), 1)) << "far from what flies";
   EXPECT_EQ(with_flight.sleepers.in_whole(static_cast<int>(with_flight.sleepers.in_whole().size()) - 1), 3);

@@ -12,6 +12,7 @@ namespace support {
 struct TouchingBlocks {
   BuiltScene built;
   const BlockSystem& blocks;
+  const BlockState& state;
   VectorXd v;
   std::vector<ImpactContact> contacts;
 
@@ -19,6 +20,7 @@ struct TouchingBlocks {
                           double restitution = 0, const std::vector<double>& densities = {2000, 2000, 2000})
       : built(build(scene(of, densities))),
         blocks(built.stepper->blocks()),
+        state(built.stepper->state()),
         v(built.stepper->state().velocity) {
     for (int a = 0; a < blocks.n_blocks(); ++a)
       for (int b = 0; b < blocks.n_blocks(); ++b)
@@ -41,7 +43,7 @@ struct TouchingBlocks {
     const Range& of = blocks.block(b).vertices();
     return outlines().col(of.first + k % of.count);
   }
-  Vec2 centroid(int b) const { return blocks.block(b).centroid(); }
+  Vec2 centroid(int b) const { return blocks.block(b).centroid(state); }
 
   /// Vertices of a on edges of b; of two edges at a corner the one that faces a.
   void add_contacts(int a, int b, double friction, double restitution) {
@@ -75,10 +77,14 @@ struct TouchingBlocks {
 
   void set_velocity(int b, const Vec3& rigid) {
     const Block& of = blocks.block(b);
-    v.segment(of.unknowns().first, of.n_unknowns()) = of.rigid_modes() * rigid;
+    v.segment(of.unknowns().first, of.n_unknowns()) = of.rigid_modes(state) * rigid;
   }
-  JumpReport jump(double least_approach = 0) const { return impact(blocks, contacts, v, least_approach); }
-  RigidVelocity velocity(int b, const VectorXd& of) const { return rigid_velocity(blocks.block(b), of); }
+  JumpReport jump(double least_approach = 0) const {
+    return impact(blocks, state, contacts, v, least_approach);
+  }
+  RigidVelocity velocity(int b, const VectorXd& of) const {
+    return rigid_velocity(blocks.block(b), state, of);
+  }
 
   double energy(const VectorXd& of) const {
     double sum = 0;
@@ -101,8 +107,8 @@ struct TouchingBlocks {
     return sum;
   }
   double inertia(int b) const {
-    const auto modes = blocks.block(b).rigid_modes();
-    return modes.col(2).dot(blocks.block(b).mass() * modes.col(2));
+    const VectorXd turning = blocks.block(b).rotation(state);
+    return turning.dot(blocks.block(b).mass() * turning);
   }
 
   /// What every outcome must satisfy: cone, energy and its accounts; nothing approaches.

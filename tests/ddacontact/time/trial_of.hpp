@@ -27,6 +27,7 @@ struct TrialOf {
   AnalysisOptions analysis;
   ContactProperties properties;
   StepCounts counts;
+  Participants participants{&blocks, &state};
   TrialStep trial;
 
   explicit TrialOf(const Scene& scene, int steps_before = 0)
@@ -36,7 +37,7 @@ struct TrialOf {
         contacts(built.stepper->contacts()),
         analysis(built.stepper->stages()[0].analysis),
         properties(built.stepper->contact_properties()),
-        trial(blocks, state, contacts, analysis, properties, counts) {
+        trial(participants, contacts, analysis, properties, counts) {
     trial.make_system();
   }
   TrialOf(const TrialOf&) = delete;
@@ -58,7 +59,7 @@ struct TrialOf {
     return sum / blocks.block(b).n_vertices();
   }
   Vec2 velocity(const BlockState& of, int b) const {
-    return rigid_velocity(blocks.block(b), of.going_on()).linear;
+    return rigid_velocity(blocks.block(b), of, of.going_on()).linear;
   }
   double normal_force() const {
     double sum = 0;

@@ -1,4 +1,5 @@
 #include "step_matrix.hpp"
+#include <ddacontact/time/step_from.hpp>
 #include <tests/support/block_tangent.hpp>
 
 #include <polyfem/assembly/pattern_matrix.hpp>
@@ -31,8 +32,14 @@ polyfem::SparseMatrix step_matrix(Stepper& stepper) {
   matrix.set_connectivity(blocks.n_equations(), connectivity);
   matrix.set_zero();
   int element = 0;
-  for (const int b : active)
-    matrix.add(element++, support::tangent_of(blocks.block(b), VectorXd::Zero(blocks.block(b).n_unknowns())));
+  const AnalysisOptions& analysis = stepper.stages()[stepper.stage()].analysis;
+  const StepStart start = step_from(analysis, stepper.state(), analysis.time_step);
+  for (const int b : active) {
+    std::unique_ptr<BlockStep> step;
+    blocks.block(b).begin_step(stepper.state(), start, step);
+    const VectorXd at_start = VectorXd::Zero(blocks.block(b).n_unknowns());
+    matrix.add(element++, support::tangent_of(blocks.block(b), *step, at_start));
+  }
   for (const Contact* contact : closed) {
     matrix.add_outer(element, contact->law.normal_stiffness,
                      contact->motion.form(contact->first_gap()).coefficients());
