@@ -37,7 +37,7 @@ std::vector<std::string> warnings_in(const Scene& scene) {
 }
 
 double final_speed(const BuiltScene& built) {
-  return rigid_velocity(built.stepper->blocks().block(1), built.stepper->state(), built.stepper->state(),
+  return rigid_velocity(built.stepper->blocks().block(1), built.stepper->state(),
                         built.stepper->state().velocity)
       .linear.norm();
 }

@@ -70,7 +70,7 @@ TEST(FlushJoint, AStepThatACornerPassesDoesNotThrowTheBlock) {
     const BuiltScene built = build(scene);
     const auto velocity = [&] {
       return rigid_velocity(built.stepper->blocks().block(last_block(scene)), built.stepper->state(),
-                            built.stepper->state(), built.stepper->state().velocity)
+                            built.stepper->state().velocity)
           .linear;
     };
     double fastest = 0;

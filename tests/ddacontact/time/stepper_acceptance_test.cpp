@@ -32,10 +32,10 @@ TEST(StepperAcceptance, TheVelocityOfTheStateIsThatAtItsTime) {
     scene.blocks = {block(rectangle(0, 0, 1, 1))};
     const BuiltScene built = run(scene);
     const RigidVelocity now = rigid_velocity(built.stepper->blocks().block(0), built.stepper->state(),
-                                             built.stepper->state(), built.stepper->state().velocity);
+                                             built.stepper->state().velocity);
     EXPECT_NEAR(now.linear.y(), -10 * 0.06, 1e-9);
     const RigidVelocity before = rigid_velocity(built.stepper->blocks().block(0), built.stepper->state(),
-                                                built.stepper->state(), built.stepper->state().going_on());
+                                                built.stepper->state().going_on());
     EXPECT_NEAR(before.linear.y(), scheme == Scheme::decaying ? -0.5 : -0.6, 1e-9);
     EXPECT_NEAR(built.stepper->energy().now.kinetic, 2000 * 0.6 * 0.6 / 2, 1e-6);
     EXPECT_EQ(built.stepper->counts().unknown_velocities, 0);
@@ -56,7 +56,7 @@ TEST(StepperAcceptance, AnImpactToComeIsNotInTheVelocity) {
     const BuiltScene built = run(scene);
     EXPECT_EQ(built.stepper->counts().impacts, 0);
     const auto velocity = [&] {
-      return rigid_velocity(built.stepper->blocks().block(1), built.stepper->state(), built.stepper->state(),
+      return rigid_velocity(built.stepper->blocks().block(1), built.stepper->state(),
                             built.stepper->state().velocity)
           .linear;
     };
