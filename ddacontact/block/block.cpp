@@ -1,6 +1,5 @@
 #include <ddacontact/block/block.hpp>
 
-#include <ddacontact/block/block_motion.hpp>
 #include <polyfem/basis/suitable_basis.hpp>
 #include <polyfem/geometry/validity.hpp>
 
@@ -20,10 +19,6 @@ Block::Block(const BlockMaterial& material, const PointsRef& points, int n_verti
       grid_(std::exp2(std::floor(std::log2(reference_area_) / 2))),
       n_vertices_(n_vertices) {
   Points::Map(reference_.front().data(), 2, points.cols()) = points;
-}
-
-std::optional<BlockMotion> BlockStep::motion() const {
-  return {};
 }
 
 void Block::number(int index, int first_point, int first_unknown, int first_stress_point,

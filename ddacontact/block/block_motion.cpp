@@ -1,6 +1,7 @@
 #include <ddacontact/block/block_motion.hpp>
 
 #include <ddacontact/block/corotational_motion.hpp>
+#include <polyfem/element/matrices.hpp>
 
 #include <cassert>
 
@@ -36,72 +37,70 @@ auto BlockMotion::with_motion(const VectorIn& d, const Work& work) const {
   });
 }
 
-BlockMotion::BlockMotion(const CorotationalShape& shape, const CorotationalStart& start)
-    : shape_(shape),
-      start_(start),
-      damping_(start.matrices->rule.damping),
-      is_explicit_(start.matrices->rule.is_explicit()),
-      dt_(start.matrices->dt),
-      impulse_time_(start.matrices->rule.impulse_time * dt_),
-      linear_before_(start.arrays[velocity_before]),
-      angular_before_(start.arrays[spin_before][0]),
-      inertia_(start.arrays[about_centre][0]),
-      leverage_(start.arrays[about_centre][1]),
-      turn_(turned_to(start.arrays[axis_now])) {}
-
-void BlockMotion::begin(const CorotationalShape& shape, const VectorIn& coordinates, const VectorIn& velocity,
-                        const VectorIn& initial, CorotationalStart& start) {
-  const MotionShape& motions = shape.motions();
+void BlockMotion::begin(const StepRule& rule, double dt, const VectorIn& coordinates,
+                        const VectorIn& velocity, const VectorIn& initial) {
+  start_.take_matrices(shape_, rule, dt);
+  const MotionShape& motions = shape_.motions();
   const Index m = motions.n_nodes();
   assert(coordinates.size() == BlockState::n_rigid + 2 * m && coordinates.allFinite());
-  start.arrays.resize(
-      static_cast<std::size_t>(n_numbers + (initial.size() > 0 ? stress_forces + 1 : stress_forces) * m));
-  with_nodes(shape, [&]<class Of>(const NodalKinematics<Of>& nodes) {
+  start_.arrays.resize(
+      static_cast<std::size_t>((initial.size() > 0 ? stress_forces + 1 : stress_forces) * m));
+  with_nodes(shape_, [&]<class Of>(const NodalKinematics<Of>& nodes) {
     using Vectors = typename Of::Vectors;
     const auto put = [&](Array k, const Vectors& of_nodes) {
-      Eigen::Map<Vectors, Eigen::Aligned16>(start.arrays[n_numbers + k * m].data(), 2, m) = of_nodes;
+      Eigen::Map<Vectors, Eigen::Aligned16>(start_.arrays[k * m].data(), 2, m) = of_nodes;
     };
     const Vectors u = coordinates.tail(2 * m).reshaped(2, m), Z = motions.nodes + u,
                   of_shape = nodes.weighted(Z);
     put(shape_now, Z);
-    start.arrays[about_centre] = {of_shape.cwiseProduct(Z).sum(), motions.weighted.cwiseProduct(Z).sum()};
-    start.arrays[axis_now] = turned_by(coordinates[2]).col(0);
-    const BlockMotion motion(shape, start);  // knows the shape: velocities can be taken apart
-    const auto [linear, angular, rates] = motion.velocities<Of>(nodes.to_nodes(velocity));
-    start.arrays[velocity_before] = linear;
-    start.arrays[spin_before] = {angular, 0};
+    inertia_ = of_shape.cwiseProduct(Z).sum();
+    leverage_ = motions.weighted.cwiseProduct(Z).sum();
+    turn_ = turned_by(coordinates[2]);
+    const auto [linear, angular, rates] = velocities<Of>(nodes.to_nodes(velocity));
+    linear_before_ = linear;
+    angular_before_ = angular;
     put(deforming, rates);
-    Vectors force = angular * angular * of_shape - motion.times_stiffness<Of>(u);
+    Vectors force = angular * angular * of_shape - times_stiffness<Of>(u);
     if (initial.size() > 0) {
       put(stress_forces, initial.reshaped(2, m));
       force -= initial.reshaped(2, m);
     }
-    if (motion.is_explicit_ && motion.damping_.stiffness != 0)
-      force -= motion.damping_.stiffness * motion.times_stiffness<Of>(rates);
-    put(drive, nodes.weighted(rates) + motion.impulse_time_ * force);
+    if (is_explicit() && damping().stiffness != 0) force -= damping().stiffness * times_stiffness<Of>(rates);
+    put(drive, nodes.weighted(rates) + impulse_time() * force);
   });
 }
 
-void BlockMotion::forces(const VectorIn& d, VectorOut resisting) const {
+void BlockMotion::forces(const VectorIn& d, BlockForces& forces) const {
+  forces.resize(d.size());
+  forces.elastic.setZero();
+  forces.damping.setZero();
   with_motion(d, [&]<class Of>(const NodalKinematics<Of>& nodes, const Velocities<Of>& way) {
     using Vectors = typename Of::Vectors;
     const MotionShape& motions = shape_.motions();
-    const double h = impulse_time_, damped = 1 + h * damping_.mass;
-    Vectors f = damped / dt_ * nodes.weighted(way.deformation);
-    if (!is_explicit_) f += h * (1 + damping_.stiffness / dt_) * times_stiffness<Of>(way.deformation);
+    const double h = impulse_time(), damped = 1 + h * damping().mass;
+    Vectors f = damped / dt() * nodes.weighted(way.deformation);
+    if (!is_explicit()) f += h * (1 + damping().stiffness / dt()) * times_stiffness<Of>(way.deformation);
     f -= array<Of>(drive);
     f /= h;
-    const Vec2 linear = motions.mass / h * (damped / dt_ * way.linear - linear_before_),
+    const Vec2 linear = motions.mass / h * (damped / dt() * way.linear - linear_before_),
                of_deformation = f.lazyProduct(motions.translation);
-    const double torque = inertia_ / h * (damped / dt_ * way.angular - angular_before_),
+    const double torque = inertia_ / h * (damped / dt() * way.angular - angular_before_),
                  moment = left_of_shape<Of>().cwiseProduct(f).sum();
     // Forces on the deformation of a motion, what is rigid in it taken off.
     f += (torque - moment) / leverage_ * motions.turning;
     f -= of_deformation.lazyProduct(motions.weights.transpose());
     f = (turn_ * f).eval();
     f += linear.lazyProduct(motions.weights.transpose());
-    nodes.forces_on_unknowns(f, resisting);
+    nodes.forces_on_unknowns(f, forces.inertia);
   });
+}
+
+void BlockMotion::tangent(const VectorIn&, std::span<MatrixXd> parts) const {
+  for (std::size_t c = 0; c < parts.size(); ++c) {
+    polyfem::rotate(start_.matrices->tangents[c], turn_, parts[c]);
+    const MatrixXd& B = shape_.cells[c].nodes_by_unknowns;
+    if (B.size() > 0) parts[c] = (B.transpose() * parts[c] * B).eval();
+  }
 }
 
 void BlockMotion::free_path(VectorOut d) const {
@@ -110,7 +109,7 @@ void BlockMotion::free_path(VectorOut d) const {
     const Vectors rates = angular_before_ * left_of_shape<Of>() + array<Of>(deforming);
     Vectors path = turn_ * rates;
     path += linear_before_.lazyProduct(shape_.motions().translation.transpose());
-    nodes.to_unknowns(dt_ * path, d);
+    nodes.to_unknowns(dt() * path, d);
   });
 }
 
@@ -130,8 +129,7 @@ double BlockMotion::stored_energy(const VectorIn& d) const {
     using Vectors = typename Of::Vectors;
     const Vectors middle = array<Of>(shape_now) - shape_.motions().nodes + way.deformation / 2;
     double stored = times_stiffness<Of>(middle).cwiseProduct(way.deformation).sum();
-    const Index n_without = n_numbers + stress_forces * shape_.motions().n_nodes();
-    if (std::ssize(start_.arrays) > n_without)
+    if (std::ssize(start_.arrays) > stress_forces * shape_.motions().n_nodes())
       stored += array<Of>(stress_forces).cwiseProduct(way.deformation).sum();
     return stored;
   });
@@ -150,14 +148,14 @@ BlockMotion::Losses BlockMotion::losses(const VectorIn& d) const {
                                inertia_ * way.angular * angular_before_ +
                                momentum.cwiseProduct(array<Of>(deforming)).sum();
     Losses losses;
-    const double damped = is_explicit_ ? elastic.cwiseProduct(array<Of>(deforming)).sum() : stretched / dt_;
+    const double damped = is_explicit() ? elastic.cwiseProduct(array<Of>(deforming)).sum() : stretched / dt();
     // An impulse takes itself times the mean of the velocities before and after.
-    const double by_mass = damping_.mass * impulse_time_ / dt_ * (with_before + quadratic / dt_) / 2;
-    losses.damping = by_mass + damping_.stiffness * damped;
+    const double by_mass = damping().mass * impulse_time() / dt() * (with_before + quadratic / dt()) / 2;
+    losses.damping = by_mass + damping().stiffness * damped;
     // Backward Euler takes K (d u)^2 / 2 of what a change of the deformation stores; forces of the start give
     // as much.
-    losses.scheme = (is_explicit_ ? -stretched : stretched) / 2 + damping_.mass / dt_ * quadratic - by_mass +
-                    (quadratic / dt_ - with_before) / impulse_time_ -
+    losses.scheme = (is_explicit() ? -stretched : stretched) / 2 + damping().mass / dt() * quadratic -
+                    by_mass + (quadratic / dt() - with_before) / impulse_time() -
                     angular_before_ * angular_before_ * momentum.cwiseProduct(array<Of>(shape_now)).sum();
     return losses;
   });
@@ -165,9 +163,24 @@ BlockMotion::Losses BlockMotion::losses(const VectorIn& d) const {
 
 Vec3 BlockMotion::resultant(const VectorIn& d) const {
   return with_motion(d, [&]<class Of>(const NodalKinematics<Of>&, const Velocities<Of>& way) {
-    const Vec2 force = shape_.motions().mass / impulse_time_ * (way.linear / dt_ - linear_before_);
-    return Vec3(force.x(), force.y(), inertia_ / impulse_time_ * (way.angular / dt_ - angular_before_));
+    const Vec2 force = shape_.motions().mass / impulse_time() * (way.linear / dt() - linear_before_);
+    return Vec3(force.x(), force.y(), inertia_ / impulse_time() * (way.angular / dt() - angular_before_));
   });
+}
+
+void BlockMotion::end(const VectorIn& d, const VectorIn& external, bool is_free, BlockState& next) const {
+  const VectorXd none;
+  const VectorIn forces = is_free ? external : VectorIn(none);
+  auto points = block_.points().columns_of(next.position);
+  auto velocity = block_.unknowns().of(next.carried);
+  if (next.coordinates.size() > 0) {
+    end(d, forces, block_.coordinates().of(next.coordinates), points, velocity);
+  } else {
+    VectorXd of_block =
+        shape_.motions().coordinates_of(NodalKinematics<polyfem::AnyNodes>(shape_).of_points(points));
+    end(d, forces, of_block, points, velocity);
+  }
+  block_.follow_with_origin(next);
 }
 
 void BlockMotion::end(const VectorIn& d, const VectorIn& external, VectorOut coordinates,
@@ -189,10 +202,10 @@ void BlockMotion::end(const VectorIn& d, const VectorIn& external, VectorOut coo
     y += Vec2(coordinates.head<2>()).lazyProduct(motions.translation.transpose());
     nodes.put_points(y, points);
 
-    Vec2 linear = way.linear / dt_;
-    double angular = way.angular / dt_;
+    Vec2 linear = way.linear / dt();
+    double angular = way.angular / dt();
     if (external.size() > 0) {
-      const double h = impulse_time_, damped = 1 + h * damping_.mass;
+      const double h = impulse_time(), damped = 1 + h * damping().mass;
       const Vectors turning = turn_ * left_of_shape<Of>();
       const Vec2 force(nodes.work(external, nodes.everywhere(Vec2::UnitX())),
                        nodes.work(external, nodes.everywhere(Vec2::UnitY())));
@@ -200,7 +213,7 @@ void BlockMotion::end(const VectorIn& d, const VectorIn& external, VectorOut coo
       angular = (angular_before_ + h / inertia_ * nodes.work(external, turning)) / damped;
     }
     angular *= inertia_ / nodes.weighted(Z).cwiseProduct(Z).sum();
-    const Vectors rates = angular * left(Z) + way.deformation / dt_;
+    const Vectors rates = angular * left(Z) + way.deformation / dt();
     Vectors v = turn * rates;
     v += linear.lazyProduct(motions.translation.transpose());
     // The weights sum to one but for round-off, which would add up from step to step.

@@ -12,30 +12,35 @@
 
 #include <ddacontact/block/corotational_shape.hpp>
 
+#include <span>
+
 namespace ddacontact {
 
-/// A step that was begun: a view of what CorotationalStart keeps of its start.
-class BlockMotion {
+class BlockMotion final : public BlockStep {
  public:
   using VectorIn = Eigen::Ref<const VectorXd>;
   using VectorOut = Eigen::Ref<VectorXd>;
 
-  /// Writes `start`, whose matrices are there.
+  /// Keeps references.
+  BlockMotion(const Block& block, const CorotationalShape& shape) : block_(block), shape_(shape) {}
+
+  /// Begins a step.
   /// \param[in] coordinates  of the block, see BlockState::coordinates
   /// \param[in] velocity     of its unknowns in the middle of the step before
   /// \param[in] initial      forces of the stress at rest on the nodes, in the block's frame; empty: none
-  static void begin(const CorotationalShape& shape, const VectorIn& coordinates, const VectorIn& velocity,
-                    const VectorIn& initial, CorotationalStart& start);
-  BlockMotion(const CorotationalShape& shape, const CorotationalStart& start);
+  void begin(const StepRule& rule, double dt, const VectorIn& coordinates, const VectorIn& velocity,
+             const VectorIn& initial);
 
-  /// External forces on the unknowns under which the motion is d, N per m.
-  void forces(const VectorIn& d, VectorOut resisting) const;
-  /// The straight motion without any forces.
-  void free_path(VectorOut d) const;
-  /// Displacements of the unknowns after a straight motion.
-  void displacement(const VectorIn& d, VectorOut displaced) const;
-  /// Energy that a straight motion stores in the block, J per m.
-  double stored_energy(const VectorIn& d) const;
+  const BlockMotion* motion() const override { return this; }
+  void free_path(VectorOut d) const override;
+  /// What resists is inertia: all external forces under which the motion is d.
+  void forces(const VectorIn& d, BlockForces& forces) const override;
+  /// Of the shape at rest: what deformation changes of it is of the order of the strain.
+  void tangent(const VectorIn& d, std::span<MatrixXd> parts) const override;
+  void displacement(const VectorIn& d, VectorOut displaced) const override;
+  double stored_energy(const VectorIn& d) const override;
+  void end(const VectorIn& d, const VectorIn& external, bool is_free, BlockState& next) const override;
+
   /// Energy taken by Rayleigh damping, and by the scheme from the work of elastic forces and of inertia
   /// before the change of kinetic energy is taken off, J per m.
   struct Losses {
@@ -44,7 +49,6 @@ class BlockMotion {
   Losses losses(const VectorIn& d) const;
   /// Mass and moment of inertia times the accelerations, N and N m per m.
   Vec3 resultant(const VectorIn& d) const;
-
   /// Writes the block after the step: its coordinates (those at the start are given) and points, and the
   /// velocities of its unknowns on that shape in the middle of the step; the angular momentum is that of the
   /// step.
@@ -52,9 +56,6 @@ class BlockMotion {
   ///                      is left of them in d has the solution's error; empty: it has supports
   void end(const VectorIn& d, const VectorIn& external, VectorOut coordinates, Eigen::Ref<Points> points,
            VectorOut velocity) const;
-
-  /// R at the start.
-  const Mat2& turn() const { return turn_; }
 
  private:
   /// (vc, omega, u') of velocities of the nodes.
@@ -72,32 +73,31 @@ class BlockMotion {
   template <class Work>
   auto with_motion(const VectorIn& d, const Work& work) const;
 
-  /// Entries of the start, two numbers each: vc before; (omega before, 0); (Z M Z, X M Z) with Z = X + u; the
-  /// first column of R.
-  enum Number : Index { velocity_before, spin_before, about_centre, axis_now, n_numbers };
-  /// Arrays of the nodes in the block's frame that follow those entries: X + u; u' before; the right side
-  /// without f; f0, where there is any.
+  /// Arrays of the nodes in the block's frame: X + u; u' before; the right side without f; f0, where there is
+  /// any.
   enum Array : Index { shape_now, deforming, drive, stress_forces };
   template <class Of>
   auto array(Array k) const {
     const Index m = shape_.motions().n_nodes();
-    return Eigen::Map<const typename Of::Vectors, Eigen::Aligned16>(start_.arrays[n_numbers + k * m].data(),
-                                                                    2, m);
+    return Eigen::Map<const typename Of::Vectors, Eigen::Aligned16>(start_.arrays[k * m].data(), 2, m);
   }
   template <class Of>
   typename Of::Vectors left_of_shape() const {
     return left(typename Of::Vectors(array<Of>(shape_now)));
   }
 
+  bool is_explicit() const { return start_.matrices->rule.is_explicit(); }
+  const RayleighDamping& damping() const { return start_.matrices->rule.damping; }
+  double dt() const { return start_.matrices->dt; }
+  double impulse_time() const { return start_.matrices->rule.impulse_time * dt(); }
+
+  const Block& block_;
   const CorotationalShape& shape_;
-  const CorotationalStart& start_;
-  RayleighDamping damping_;
-  bool is_explicit_;
-  double dt_, impulse_time_;
-  Vec2 linear_before_;
-  double angular_before_;
-  double inertia_, leverage_;  ///< Z M Z and X M Z with Z = X + u
-  Mat2 turn_;
+  CorotationalStart start_;
+  Vec2 linear_before_;  ///< vc
+  double angular_before_ = 0;
+  double inertia_ = 0, leverage_ = 0;  ///< Z M Z and X M Z with Z = X + u
+  Mat2 turn_;                          ///< R at the start
 };
 
 }  // namespace ddacontact

@@ -4,7 +4,6 @@
 #include <ddacontact/block/state.hpp>
 #include <ddacontact/block/step_start.hpp>
 
-#include <optional>
 #include <span>
 
 namespace ddacontact {
@@ -40,8 +39,8 @@ class BlockStep {
   virtual void displacement(const Eigen::Ref<const VectorXd>& d, Eigen::Ref<VectorXd> displaced) const {
     displaced = d;
   }
-  /// Of a block that is carried on by its motions; none: it is not.
-  virtual std::optional<BlockMotion> motion() const;
+  /// The step itself where the block is carried on by its motions, else null.
+  virtual const BlockMotion* motion() const { return nullptr; }
 
   /// Energy that displacements d store in the block, J per m.
   virtual double stored_energy(const Eigen::Ref<const VectorXd>& d) const = 0;

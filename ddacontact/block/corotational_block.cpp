@@ -216,142 +216,35 @@ Points CorotationalBlock::strain_displacement(const BlockState& state) const {
   return frame.rotation * w;
 }
 
-/// By the motions of the block where it has half steps, else by its nodes.
-class CorotationalBlock::Step final : public BlockStep {
-  /// work(nodes, the step by them)
-  template <class Work>
-  auto with_step(const Work& work) const {
-    return with_nodes(shape_, [&]<class Of>(const NodalKinematics<Of>& nodes) {
-      return work(nodes, CorotationalStep<Of>(nodes, start_));
-    });
-  }
-
- public:
-  explicit Step(const CorotationalBlock& block) : block_(block), shape_(*block.shape_) {}
-
-  void begin(const BlockState& state, const StepStart& start) {
-    assert(start.dt > 0 && start.velocity.size() >= block_.unknowns().end());
-    const Range &u = block_.unknowns(), &p = block_.points();
-    StepRule rule = start.rule;
-    if (rule.is_explicit() && start.dt > longest_explicit_step(shape_, rule.damping))
-      rule.scheme = Scheme::decaying;
-    if (!start_.matrices || !start_.matrices->are_for(rule, start.dt))
-      start_.matrices = step_matrices(shape_, rule, start.dt);
-    if (start.rule.has_half_steps()) {
-      const auto velocity = u.of(start.velocity);
-      const VectorXd initial = block_.initial_force(state);
-      if (state.coordinates.size() > 0)
-        BlockMotion::begin(shape_, block_.coordinates().of(state.coordinates), velocity, initial, start_);
-      else
-        BlockMotion::begin(shape_, shape_.motions().coordinates_of(block_.nodes(state)), velocity, initial,
-                           start_);
-      return;
-    }
-    with_nodes(shape_, [&]<class Of>(const NodalKinematics<Of>& nodes) {
-      const auto y = nodes.of_points(p.columns_of(state.position));
-      CorotationalStep<Of>::begin(nodes, y, nodes.to_nodes(u.of(start.velocity)),
-                                  nodes.to_nodes(u.of(start.acceleration)), block_.initial_stress(state),
-                                  start_);
-    });
-  }
-
-  std::optional<BlockMotion> motion() const override {
-    if (!start_.matrices->rule.has_half_steps()) return {};
-    return BlockMotion(shape_, start_);
-  }
-
-  void free_path(Eigen::Ref<VectorXd> path) const override {
-    if (const auto by_motions = motion()) return by_motions->free_path(path);
-    with_step([&](const auto& nodes, const auto& step) { nodes.to_unknowns(step.free_path(), path); });
-  }
-
-  void forces(const Eigen::Ref<const VectorXd>& d, BlockForces& forces) const override {
-    if (const auto by_motions = motion()) {
-      forces.resize(d.size());
-      forces.elastic.setZero();
-      forces.damping.setZero();
-      return by_motions->forces(d, forces.inertia);
-    }
-    with_step([&](const auto&, const auto& step) { step.forces(d, forces); });
-  }
-
-  void tangent(const Eigen::Ref<const VectorXd>& d, std::span<MatrixXd> parts) const override {
-    if (const auto by_motions = motion()) {
-      // Of the shape at rest: what deformation changes of it is of the order of the strain.
-      const Mat2 turn = by_motions->turn();
-      for (std::size_t c = 0; c < parts.size(); ++c) {
-        polyfem::rotate(start_.matrices->tangents[c], turn, parts[c]);
-        const MatrixXd& B = shape_.cells[c].nodes_by_unknowns;
-        if (B.size() > 0) parts[c] = (B.transpose() * parts[c] * B).eval();
-      }
-      return;
-    }
-    with_step([&](const auto&, const auto& step) { step.tangent(d, parts); });
-  }
-
-  void add_change(const Eigen::Ref<const VectorXd>& change, Eigen::Ref<VectorXd> d) const override {
-    if (motion())
-      d += change;
-    else
-      with_step([&](const auto&, const auto& step) { step.add_change(change, d); });
-  }
-
-  void end(const Eigen::Ref<const VectorXd>& d, const Eigen::Ref<const VectorXd>& external, bool is_free,
-           BlockState& next) const override {
-    const Range &u = block_.unknowns(), &p = block_.points();
-    if (const auto by_motions = motion()) {
-      const VectorXd none;
-      const BlockMotion::VectorIn forces = is_free ? external : BlockMotion::VectorIn(none);
-      auto points = p.columns_of(next.position);
-      auto velocity = u.of(next.carried);
-      if (next.coordinates.size() > 0) {
-        by_motions->end(d, forces, block_.coordinates().of(next.coordinates), points, velocity);
-      } else {
-        VectorXd of_block = shape_.motions().coordinates_of(block_.nodes(next));
-        by_motions->end(d, forces, of_block, points, velocity);
-      }
-      block_.follow_with_origin(next);
-      return;
-    }
-    with_step([&](const auto& nodes, const auto& step) {
-      const auto moved = nodes.to_nodes(d);
-      nodes.put_points(step.y0() + moved, p.columns_of(next.position));
-      auto end = step.end(moved);
-      if (is_free) step.keep_momenta(moved, external, end);
-      nodes.to_unknowns(end.velocity, u.of(next.velocity));
-      nodes.to_unknowns(end.acceleration, u.of(next.carried));
-    });
-    block_.follow_with_origin(next);
-  }
-
-  void displacement(const Eigen::Ref<const VectorXd>& d, Eigen::Ref<VectorXd> displaced) const override {
-    if (const auto by_motions = motion())
-      by_motions->displacement(d, displaced);
-    else
-      displaced = d;
-  }
-
-  double stored_energy(const Eigen::Ref<const VectorXd>& d) const override {
-    if (const auto by_motions = motion()) return by_motions->stored_energy(d);
-    return with_step(
-        [&](const auto& nodes, const auto& step) { return step.stored_energy(nodes.to_nodes(d)); });
-  }
-
-  double elastic_loss(const Eigen::Ref<const VectorXd>& d,
-                      const Eigen::Ref<const VectorXd>& elastic) const override {
-    return start_.matrices->rule.mean_forces() ? 0 : BlockStep::elastic_loss(d, elastic);
-  }
-
- private:
-  const CorotationalBlock& block_;
-  const CorotationalShape& shape_;
-  CorotationalStart start_;
-};
+template <class Step>
+Step& CorotationalBlock::renew(std::unique_ptr<BlockStep>& step) const {
+  if (!dynamic_cast<Step*>(step.get())) step = std::make_unique<Step>(*this, *shape_);
+  return static_cast<Step&>(*step);
+}
 
 void CorotationalBlock::begin_step(const BlockState& state, const StepStart& start,
                                    std::unique_ptr<BlockStep>& step) const {
-  if (!step) step = std::make_unique<Step>(*this);
-  static_cast<Step&>(*step).begin(state, start);
+  const Range& u = unknowns();
+  assert(start.dt > 0 && start.velocity.size() >= u.end());
+  StepRule rule = start.rule;
+  if (rule.is_explicit() && start.dt > longest_explicit_step(*shape_, rule.damping))
+    rule.scheme = Scheme::decaying;
+  if (rule.has_half_steps()) {
+    BlockMotion& motion = renew<BlockMotion>(step);
+    const VectorXd initial = initial_force(state);
+    if (state.coordinates.size() > 0)
+      motion.begin(rule, start.dt, coordinates().of(state.coordinates), u.of(start.velocity), initial);
+    else
+      motion.begin(rule, start.dt, shape_->motions().coordinates_of(nodes(state)), u.of(start.velocity),
+                   initial);
+    return;
+  }
+  with_nodes(*shape_, [&]<class Of>(const NodalKinematics<Of>& nodes) {
+    renew<CorotationalStep<Of>>(step).begin(rule, start.dt,
+                                            nodes.of_points(points().columns_of(state.position)),
+                                            nodes.to_nodes(u.of(start.velocity)),
+                                            nodes.to_nodes(u.of(start.acceleration)), initial_stress(state));
+  });
 }
 
 }  // namespace ddacontact

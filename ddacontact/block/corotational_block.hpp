@@ -50,8 +50,10 @@ class CorotationalBlock final : public Block {
 
  private:
   using Frame = polyfem::CorotatedFrame;
-  class Step;
 
+  /// A step of this kind in `step`.
+  template <class Step>
+  Step& renew(std::unique_ptr<BlockStep>& step) const;
   double elastic_energy_of_deformation(const BlockState& state) const;
   Points nodes(const BlockState& state) const;
   Frame cell_frame(const BlockState& state, const Points& y, int c) const;

@@ -192,6 +192,10 @@ std::shared_ptr<const StepMatrices> step_matrices(const CorotationalShape& shape
   return last;
 }
 
+void CorotationalStart::take_matrices(const CorotationalShape& shape, const StepRule& rule, double dt) {
+  if (!matrices || !matrices->are_for(rule, dt)) matrices = step_matrices(shape, rule, dt);
+}
+
 CorotationalShape polygon_shape(const BlockMaterial& material, const PointsRef& block_outline,
                                 const polyfem::Basis& basis, const Integration& integration) {
   CorotationalShape shape;

@@ -9,6 +9,8 @@
 
 namespace ddacontact {
 
+struct CorotationalShape;
+
 /// The tangents of a shape's cells in a step by this rule and of this length, not turned.
 struct StepMatrices {
   StepRule rule;
@@ -21,8 +23,11 @@ struct StepMatrices {
 /// Data of a corotational block at the start of its step: rule and length, and numbers that BlockMotion or
 /// CorotationalStep lays out. They are one array, as every awake block has one.
 struct CorotationalStart {
-  std::shared_ptr<const StepMatrices> matrices;
-  std::vector<Vec2> arrays;
+  std::shared_ptr<const StepMatrices> matrices{};
+  std::vector<Vec2> arrays{};
+
+  /// Finds the matrices of a step.
+  void take_matrices(const CorotationalShape& shape, const StepRule& rule, double dt);
 };
 
 }  // namespace ddacontact

@@ -60,7 +60,7 @@ Equilibrium find_equilibrium(const StepSystem& system, const TrialSolution& solu
       return larger(block, block.translations().transpose() * u.of(forces), turning.dot(u.of(forces)));
     };
     double left = size_of(total);
-    if (const std::optional<BlockMotion> motion = system.step(b).motion()) {
+    if (const BlockMotion* motion = system.step(b).motion()) {
       const Vec3 momentum = motion->resultant(u.of(solution.straight));
       left = larger(block, momentum.head<2>(), momentum[2]);
     }

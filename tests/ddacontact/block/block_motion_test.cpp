@@ -1,4 +1,5 @@
 #include <ddacontact/block/block_motion.hpp>
+#include <ddacontact/block/corotational_block.hpp>
 #include <polyfem/basis/suitable_basis.hpp>
 #include <polyfem/material/linear_elastic.hpp>
 #include <polyfem/quadrature/triangle_rule.hpp>
@@ -24,15 +25,21 @@ Points kite() {
   return outline;
 }
 
-CorotationalShape polygon(double young) {
-  const BlockMaterial rock{polyfem::elasticity_matrix(young, 0.25, polyfem::Plane::strain), 2500};
-  return polygon_shape(rock, kite(), polyfem::suitable_basis(kite()),
-                       {&polyfem::hammer_rule(3), polyfem::GradientCorrection::on});
+BlockMaterial rock(double young) {
+  return {polyfem::elasticity_matrix(young, 0.25, polyfem::Plane::strain), 2500};
+}
+
+std::shared_ptr<const CorotationalShape> polygon(double young) {
+  return std::make_shared<const CorotationalShape>(
+      polygon_shape(rock(young), kite(), polyfem::suitable_basis(kite()),
+                    {&polyfem::hammer_rule(3), polyfem::GradientCorrection::on}));
 }
 
 /// Steps without external forces, of lengths that are given.
 struct Flight {
-  CorotationalShape shape;
+  std::shared_ptr<const CorotationalShape> owned;
+  const CorotationalShape& shape = *owned;
+  CorotationalBlock block;
   VectorXd coordinates, velocity;
   double previous = 0;
   Scheme scheme = Scheme::decaying;
@@ -40,7 +47,8 @@ struct Flight {
 
   /// \param[in] stretch  the deformation at the start; that of the first node, others so that it has no
   /// momenta
-  Flight(double young, const VectorXd& rates, double stretch = 0) : shape(polygon(young)) {
+  Flight(double young, const VectorXd& rates, double stretch = 0)
+      : owned(polygon(young)), block(rock(young), kite(), owned) {
     const MotionShape& motions = shape.motions();
     Points y = motions.nodes;
     y(0, 0) += stretch;
@@ -52,18 +60,18 @@ struct Flight {
   void step(double length) {
     StepRule rule{.scheme = scheme, .damping = damping};
     rule.impulse_time = (length + previous) / (2 * length);
-    CorotationalStart start{step_matrices(shape, rule, length), {}};
-    BlockMotion::begin(shape, coordinates, velocity, VectorXd(), start);
-    const BlockMotion motion(shape, start);
+    BlockMotion motion(block, shape);
+    motion.begin(rule, length, coordinates, velocity, VectorXd());
     // The forces are affine in d: d solves forces(d) = 0.
     const Index n = shape.n_unknowns();
-    VectorXd at_zero(n), column(n);
-    motion.forces(VectorXd::Zero(n), at_zero);
+    const auto resisting = [&](const VectorXd& at) -> VectorXd {
+      BlockForces forces;
+      motion.forces(at, forces);
+      return forces.inertia;
+    };
+    const VectorXd at_zero = resisting(VectorXd::Zero(n));
     MatrixXd A(n, n);
-    for (Index k = 0; k < n; ++k) {
-      motion.forces(VectorXd::Unit(n, k), column);
-      A.col(k) = column - at_zero;
-    }
+    for (Index k = 0; k < n; ++k) A.col(k) = resisting(VectorXd::Unit(n, k)) - at_zero;
     EXPECT_LE((A - A.transpose()).norm(), 1e-9 * A.norm());
     Points points(2, 4);
     const VectorXd d = -A.ldlt().solve(at_zero);
@@ -197,14 +205,14 @@ TEST(BlockMotion, LossesAddUp) {
 }
 
 TEST(BlockMotion, AStraightMotionTurnsOnItsWay) {
-  const CorotationalShape shape = polygon(1e10);
+  const auto shape = polygon(1e10);
+  const CorotationalBlock block(rock(1e10), kite(), shape);
   StepRule rule;
   rule.scheme = Scheme::decaying;
-  const MotionShape& motions = shape.motions();
-  CorotationalStart begun{step_matrices(shape, rule, dt), {}};
-  BlockMotion::begin(shape, at_rest(), support::node_velocities(motions, at_rest(), spinning(100)).reshaped(),
-                     VectorXd(), begun);
-  const BlockMotion motion(shape, begun);
+  const MotionShape& motions = shape->motions();
+  BlockMotion motion(block, *shape);
+  motion.begin(rule, dt, at_rest(), support::node_velocities(motions, at_rest(), spinning(100)).reshaped(),
+               VectorXd());
   VectorXd straight(8), displaced(8);
   motion.free_path(straight);
   motion.displacement(straight, displaced);
