@@ -12,7 +12,7 @@ Scene stack_scene(int blocks, double time_step, int steps) {
 
 StartedBlocks::StartedBlocks(const Scene& scene, double dt) : built_(build(scene)) {
   const BlockState& state = built_.stepper->state();
-  start_ = {.dt = dt, .velocity = state.velocity, .acceleration = state.carried};
+  start_ = {{}, dt, state.velocity, state.carried};
   start_.rule.scheme = scene.analysis.scheme;
 }
 
