@@ -16,6 +16,7 @@
 
 namespace ddacontact {
 
+/// The step of a block that its motions carry on, on the shape at its start.
 class BlockMotion final : public BlockStep {
  public:
   using VectorIn = Eigen::Ref<const VectorXd>;
