@@ -99,6 +99,8 @@ void Stepper::look_ahead(long steps_made) {
     if (ahead_ && !refuses(ahead_->solution, ahead_->dt)) {
       const double dt = ahead_->dt;
       const TrialSolution& solution = ahead_->solution;
+      // The forces of the next substep act at the present time, without those of an impact to come.
+      if (!solution.impact.changes()) record_reactions(solution.straight, solution.residual);
       VectorXd next = solution.straight / dt;
       if (solution.impact.changes()) next -= solution.impact.jump;
       state_now().velocity =

@@ -24,6 +24,30 @@ TEST(StepperAcceptance, ReactionsOfHeldVerticesCarryABlock) {
     }
 }
 
+/// Of a pendulum that falls from the horizontal: what its mass needs at the angle and the speed that it has,
+/// m (a + g). Forces of the step before would be a step late, 2 to 4 % in steps of 10 ms.
+TEST(StepperAcceptance, ReactionsAreThoseAtTheTimeOfTheState) {
+  constexpr double mass = 2 * 2000, g = 10, inertia = mass * (4 + 1) / 12;
+  std::vector<double> errors;
+  for (const double dt : {0.01, 0.005}) {
+    Scene scene = default_mechanics(dt);
+    scene.analysis.steps = static_cast<int>(std::lround(0.5 / dt));
+    scene.blocks = {block(rectangle(0, 0, 2, 1))};
+    scene.blocks[0].fixed_vertices = {3};
+    const BuiltScene built = run(scene);
+    const BlockState& state = built.stepper->state();
+    const Block& of = built.stepper->blocks().block(0);
+    const double w = rigid_velocity(of, state, state.velocity).angular;
+    const Vec2 r = of.centroid(state) - Vec2(0, 1);
+    const double turning = -mass * g * r.x() / (inertia + mass * r.squaredNorm());
+    const Vec2 acceleration = turning * Vec2(-r.y(), r.x()) - w * w * r;
+    const Vec2 expected = mass * (acceleration + Vec2(0, g));
+    errors.push_back((built.stepper->reactions().col(3) - expected).norm() / expected.norm());
+  }
+  EXPECT_LE(errors[0], 3e-4);
+  EXPECT_LE(errors[1], errors[0] / 3.5);
+}
+
 /// With half steps the velocity in the middle of the next step is looked for: that now lies between both.
 TEST(StepperAcceptance, TheVelocityOfTheStateIsThatAtItsTime) {
   for (const Scheme scheme : {Scheme::decaying, Scheme::midpoint}) {
