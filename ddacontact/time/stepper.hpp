@@ -70,8 +70,9 @@ class Stepper {
   /// Properties of the contacts, with the joints of the present stage.
   const ContactProperties& contact_properties() const { return properties_; }
   const EnergyLedger& energy() const { return run_.energy; }
-  /// Forces that the supports exert at the end of the last accepted substep, N per
-  /// m, 2 x all outline vertices.
+  /// Forces that the supports exert at the end of the last accepted substep, N per m, 2 x all points; with half
+  /// steps their means over the halves of the substeps before and after. Where no next substep is solvable, or
+  /// blocks meet in it whose joints have restitution, those of the last substep.
   const Points& reactions() const { return run_.reactions; }
   const StepCounts& counts() const { return run_.counts; }
   const StepTimes& times() const { return trial_.times(); }
