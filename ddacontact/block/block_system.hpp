@@ -126,6 +126,8 @@ class BlockSystem : public BlockActions {
 
   /// Contacts see corners as arcs of circles of this radius, in parts of each block's size; 0: sharp.
   void round_corners(double ratio);
+  /// See RoundedCorner::is_hidden.
+  void hide_corner(int b, int vertex) { rounded_[b].corners[vertex].is_hidden = true; }
   bool has_rounded_corners() const { return !rounded_.empty(); }
   const RoundedBlock& rounded(int b) const { return rounded_[b]; }
 

@@ -38,11 +38,14 @@ class RoundedOutline {
   Box box_of_edge(int e) const {
     return joined(way(vertex(e, 0), vertex(e, 1)), way(vertex(after(e), 0), vertex(after(e), 1)));
   }
-  bool is_reflex(int v) const { return corner_at(outline_.vertices, v) == Corner::reflex; }
+  /// Whether the corner has no circle that meets others.
+  bool has_none(int v) const {
+    return rounded_.corners[v].is_hidden || corner_at(outline_.vertices, v) == Corner::reflex;
+  }
   /// Whether a direction from corner v, or from its centre, is between the normals of its edges.
   bool faces(int v, const Vec2& direction, double time) const {
-    return rounded_.corners[v].is_arc && direction.dot(tangent(before(v), time)) > 0 &&
-           direction.dot(tangent(v, time)) < 0;
+    return rounded_.corners[v].is_arc && !rounded_.corners[v].is_hidden &&
+           direction.dot(tangent(before(v), time)) > 0 && direction.dot(tangent(v, time)) < 0;
   }
 
  private:
@@ -85,7 +88,7 @@ struct CirclesOnOutline {
     for (const Box& box : boxes) around = joined(around, box);
     for (int i = 0; i < a.size(); ++i) {
       const Box centre = way(a.centre(i, 0), a.centre(i, 1));
-      if (a.is_reflex(i) || !touch(centre, around)) continue;
+      if (a.has_none(i) || !touch(centre, around)) continue;
       near.clear();
       for (int e = 0; e < b.size(); ++e)
         if (touch(centre, boxes[e])) near.push_back(e);

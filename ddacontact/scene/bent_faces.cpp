@@ -61,42 +61,69 @@ std::vector<FreeCorner> free_corners(const BlockSystem& blocks, const Points& po
 
 }  // namespace
 
-std::optional<std::string> note_on_bent_face(const BlockSystem& blocks, const BlockState& initial) {
-  const Points positions = blocks.positions(initial);
-  const std::vector<FreeCorner> corners = free_corners(blocks, positions);
-  double reach = 0;
-  for (const FreeCorner& corner : corners) reach = std::max(reach, corner.reach);
+namespace {
+
+/// A bend of the face of a block, or of a block and another.
+struct BentFace {
+  Bend bend;
+  int block, other;  ///< other < 0: of the block alone
+};
+
+std::vector<BentFace> bent_faces(const BlockSystem& blocks, const Points& positions,
+                                 const std::vector<HeldCorner>& held) {
+  std::vector<BentFace> faces;
   for (int b = 0; b < blocks.n_blocks(); ++b) {
     const Block& block = blocks.block(b);
     const int n = block.n_vertices();
     const auto vertex = [&](int k) -> Vec2 { return positions.col(block.vertices().first + k % n); };
-    const double near = at_the_bend * block.size();
     for (int k = 0; k < n; ++k) {
       const Vec2 at = vertex(k);
-      const Bend bend{at, at - vertex(k + n - 1), vertex(k + 1) - at, near};
-      if (cross(bend.in, bend.out) >= -least_bend * bend.in.norm() * bend.out.norm()) continue;
-      std::set<int> there;
-      const FreeCorner* sliding = nullptr;
-      const double furthest = std::max(near, reach);
-      auto corner = std::ranges::lower_bound(corners, at.x() - furthest, {},
-                                             [](const FreeCorner& c) { return c.at.x(); });
-      for (; corner != corners.end() && corner->at.x() <= at.x() + furthest; ++corner) {
-        if (corner->block == b) continue;
-        if (bend.is_at(*corner)) there.insert(corner->block);
-        if (bend.stops(*corner, blocks.gravity)) sliding = &*corner;
-      }
-      const std::string face = "where the face of block " + quoted(blocks.names[b]) + " bends: ";
-      if (there.size() >= 2)
-        return "the joint between block " + quoted(blocks.names[*there.begin()]) + " and block " +
-               quoted(blocks.names[*std::next(there.begin())]) + " ends " + face +
-               "a corner does not slide round the bend, which holds blocks that would fail (let the "
-               "joint end above the bend)";
-      if (sliding)
-        return "block " + quoted(blocks.names[sliding->block]) + " ends " +
-               (bend.is_at(*sliding) ? "" : "just before ") + face +
-               "its corner does not slide round the bend, which holds a block that would fail (let the "
-               "face go on straight below the block, or the block end further from the bend)";
+      const Bend bend{at, at - vertex(k + n - 1), vertex(k + 1) - at, at_the_bend * block.size()};
+      if (cross(bend.in, bend.out) < -least_bend * bend.in.norm() * bend.out.norm())
+        faces.push_back({bend, b, -1});
     }
+  }
+  for (const HeldCorner& corner : held)
+    if (corner.block < corner.other && corner.free > least_bend && cross(corner.in, corner.out) < -least_bend)
+      faces.push_back({{corner.at, corner.in, corner.out, at_the_bend * blocks.block(corner.block).size()},
+                       corner.block,
+                       corner.other});
+  return faces;
+}
+
+}  // namespace
+
+std::optional<std::string> note_on_bent_face(const BlockSystem& blocks, const BlockState& initial,
+                                             const std::vector<HeldCorner>& held) {
+  const Points positions = blocks.positions(initial);
+  const std::vector<FreeCorner> corners = free_corners(blocks, positions);
+  double reach = 0;
+  for (const FreeCorner& corner : corners) reach = std::max(reach, corner.reach);
+  for (const auto& [bend, b, other] : bent_faces(blocks, positions, held)) {
+    std::set<int> there;
+    const FreeCorner* sliding = nullptr;
+    const double furthest = std::max(bend.near, reach);
+    auto corner = std::ranges::lower_bound(corners, bend.at.x() - furthest, {},
+                                           [](const FreeCorner& c) { return c.at.x(); });
+    for (; corner != corners.end() && corner->at.x() <= bend.at.x() + furthest; ++corner) {
+      if (corner->block == b) continue;
+      if (bend.is_at(*corner)) there.insert(corner->block);
+      if (bend.stops(*corner, blocks.gravity)) sliding = &*corner;
+    }
+    const std::string face = other < 0
+                                 ? "where the face of block " + quoted(blocks.names[b]) + " bends: "
+                                 : "at the bend between the faces of blocks " + quoted(blocks.names[b]) +
+                                       " and " + quoted(blocks.names[other]) + ": ";
+    if (there.size() >= 2)
+      return "the joint between block " + quoted(blocks.names[*there.begin()]) + " and block " +
+             quoted(blocks.names[*std::next(there.begin())]) + " ends " + face +
+             "a corner does not slide round the bend, which holds blocks that would fail (let the "
+             "joint end above the bend)";
+    if (sliding)
+      return "block " + quoted(blocks.names[sliding->block]) + " ends " +
+             (bend.is_at(*sliding) ? "" : "just before ") + face +
+             "its corner does not slide round the bend, which holds a block that would fail (let the "
+             "face go on straight below the block, or the block end further from the bend)";
   }
   return {};
 }

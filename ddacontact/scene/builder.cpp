@@ -5,6 +5,7 @@
 #include <ddacontact/scene/bent_faces.hpp>
 #include <ddacontact/scene/block_maker.hpp>
 #include <ddacontact/scene/bolt_path.hpp>
+#include <ddacontact/scene/held_corners.hpp>
 #include <ddacontact/scene/joint_strengths.hpp>
 #include <ddacontact/scene/model_choice.hpp>
 #include <ddacontact/scene/record_notes.hpp>
@@ -75,7 +76,10 @@ class Builder {
     BlockState initial = system.initial_state();
     set_initial(system, initial);
     std::vector<Stage> parts = stages(system);
-    if (auto note = note_on_bent_face(system, initial)) built_.notes.push_back(std::move(*note));
+    const std::vector<HeldCorner> held = held_corners(system, initial, parts);
+    for (const HeldCorner& corner : held)
+      if (system.has_rounded_corners() && corner.is_inside()) system.hide_corner(corner.block, corner.vertex);
+    if (auto note = note_on_bent_face(system, initial, held)) built_.notes.push_back(std::move(*note));
     if (auto note = note_on_steep_water(system, initial, parts)) built_.notes.push_back(std::move(*note));
     built_.stepper = std::make_unique<Stepper>(std::move(system), std::move(initial), contact_properties(),
                                                std::move(parts));

@@ -1,0 +1,32 @@
+/// \file Corners at which blocks that stay held lie against each other.
+#pragma once
+
+#include <ddacontact/block/block_system.hpp>
+#include <ddacontact/time/stage.hpp>
+
+#include <numbers>
+#include <vector>
+
+namespace ddacontact {
+
+/// A corner of a held block with others around it. What is free there is the outside of all of them together:
+/// where that is less than half a turn the corner is inside of the rock, and only the bend of its surface is
+/// there to be met.
+struct HeldCorner {
+  int block, vertex;  ///< of the block, 0 .. n_vertices - 1
+  int other;          ///< the first other block there
+  Vec2 at;
+  double free;  ///< the largest angle that is free there, radians; 0: none
+  Vec2 in,
+      out;  ///< unit vectors along the surface to the corner and from it, counter-clockwise as an outline
+
+  /// Whether the surface bends inwards there, by more than round-off of a drawing.
+  bool is_inside() const { return free < std::numbers::pi - 1e-3; }
+};
+
+/// Those at which two blocks or more meet that are wholly held where they are, and there, in all stages; by
+/// block and vertex.
+std::vector<HeldCorner> held_corners(const BlockSystem& blocks, const BlockState& initial,
+                                     const std::vector<Stage>& stages);
+
+}  // namespace ddacontact
