@@ -46,9 +46,9 @@ Points BlockSystem::reference() const {
 void BlockSystem::round_corners(double ratio) {
   rounded_.clear();
   for (int b = 0; ratio > 0 && b < n_blocks(); ++b) {
-    const Block& block = *blocks_[b];
-    rounded_.push_back(
-        ddacontact::round_corners(block.reference().leftCols(block.n_vertices()), ratio * block.size()));
+    const Points outline = block(b).reference().leftCols(block(b).n_vertices());
+    const double wanted = ratio * block(b).size(), fits = largest_rounding(outline).radius;
+    rounded_.push_back(ddacontact::round_corners(outline, wanted < fits ? wanted : fits / 2));
   }
 }
 

@@ -124,7 +124,8 @@ class BlockSystem : public BlockActions {
   /// block held at more than three vertices three carry the reactions of all.
   std::vector<int> supported_vertices;
 
-  /// Contacts see corners as arcs of circles of this radius, in parts of each block's size; 0: sharp.
+  /// Contacts see corners as arcs of circles of this radius, in parts of each block's size, or of half the
+  /// radius that an edge leaves room for where that is less; 0: sharp.
   void round_corners(double ratio);
   /// See RoundedCorner::is_hidden.
   void hide_corner(int b, int vertex) { rounded_[b].corners[vertex].is_hidden = true; }

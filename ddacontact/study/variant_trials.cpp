@@ -1,18 +1,12 @@
 #include <ddacontact/study/variant_trials.hpp>
 
-#include <ddacontact/block/rounded_corners.hpp>
-#include <polyfem/geometry/area_moments.hpp>
-
 #include <algorithm>
-#include <cmath>
 
 namespace ddacontact {
 
 namespace {
 
 constexpr double part_of_factor = 0.95, usual_rounding = 0.003;
-/// Of what the shortest edge allows.
-constexpr double most_of_edge = 0.5;
 
 /// Of a variant; without a verdict where it does not settle.
 StrengthTrial try_part(const Scene& scene, const std::vector<int>& joints, double factor) {
@@ -36,23 +30,13 @@ bool may_be_rounded(const Scene& scene) {
          std::ranges::none_of(scene.stages, has_crushed_joints);
 }
 
-double rounding_of(const Scene& scene) {
-  double rounding = usual_rounding;
-  for (const BlockDescription& block : scene.blocks) {
-    const double size = std::sqrt(std::abs(polyfem::signed_area(block.vertices)));
-    rounding = std::min(rounding, most_of_edge * largest_rounding(block.vertices).radius / size);
-  }
-  return rounding;
-}
-
 }  // namespace
 
 std::optional<RoundedTrial> try_with_rounded_corners(Scene scene, const std::vector<int>& joints,
                                                      double factor) {
   if (!may_be_rounded(scene)) return std::nullopt;
-  const double rounding = rounding_of(scene);
-  scene.contact.corner_rounding = rounding;
-  return RoundedTrial{rounding, try_part(scene, joints, factor)};
+  scene.contact.corner_rounding = usual_rounding;
+  return RoundedTrial{usual_rounding, try_part(scene, joints, factor)};
 }
 
 std::optional<StrengthTrial> try_without_swelling(Scene scene, const std::vector<int>& joints,

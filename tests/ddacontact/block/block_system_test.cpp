@@ -147,3 +147,18 @@ TEST(BestFitRotation, FitsADeformedOutlineBest) {
     for (double away : {-1., -1e-3, 1e-3, 1., 3.}) EXPECT_LT(misfit(angle), misfit(angle + away));
   }
 }
+
+/// An edge of a tenth of a millimetre leaves no room for arcs of a radius of 0.3 % but on its own block.
+TEST(BlockSystem, ArcsOfABlockWithAShortEdgeAreSmallerThanOfOthers) {
+  Scene scene = rock_scene(0.1, 1);
+  Points cut(2, 5);
+  cut << 3, 4, 4, 4 - 1e-4, 3,  //
+      0, 0, 1 - 1e-4, 1, 1;
+  scene.blocks = {block(rectangle(0, 0, 1, 1)), block(cut)};
+  BuiltScene built = build(scene);
+  BlockSystem& system = blocks_of(built);
+  system.round_corners(0.003);
+  EXPECT_DOUBLE_EQ(system.rounded(0).radius, 0.003);
+  EXPECT_DOUBLE_EQ(system.rounded(1).radius, largest_rounding(system.block(1).reference()).radius / 2);
+  EXPECT_LT(system.rounded(1).radius, 2e-4);
+}

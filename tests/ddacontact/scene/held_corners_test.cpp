@@ -1,5 +1,6 @@
 #include <ddacontact/scene/held_corners.hpp>
 #include <tests/ddacontact/simple_scenes.hpp>
+#include <tests/support/concave_polygons.hpp>
 
 #include <numbers>
 

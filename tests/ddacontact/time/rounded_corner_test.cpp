@@ -1,5 +1,6 @@
 // Blocks with rounded corners: what rolls rolls, and what stands on its faces stands and slides on them.
 #include <tests/ddacontact/simple_scenes.hpp>
+#include <tests/support/concave_polygons.hpp>
 #include <tests/support/flush_joints.hpp>
 
 #include <gtest/gtest.h>
