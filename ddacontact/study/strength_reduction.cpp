@@ -59,6 +59,16 @@ bool begins_by_strengths(const Scene& scene) {
   return last.removed.empty() && last.bolts.empty() && last.added.empty() && last.loads.empty();
 }
 
+/// A factor of what cannot move would be without limit, and count as safe in a sweep.
+void refuse_held(const Scene& scene, const BlockSystem& blocks) {
+  bool may_move = std::ranges::any_of(scene.stages, [](const auto& stage) { return !stage.added.empty(); });
+  for (int b = 0; b < blocks.n_blocks(); ++b) may_move = may_move || blocks.is_movable(b);
+  if (!may_move)
+    throw Error(
+        "no block can move: all are held (let some go; lines that are to divide a domain must meet, as "
+        "'snap' makes them)");
+}
+
 /// The last stage begins with long static steps, or consists of them.
 void begin_by_release(Scene& scene) {
   StageDescription& last = scene.stages.back();
@@ -129,6 +139,7 @@ void StrengthReduction::settle(bool glues) {
   BuiltScene built = build(scene_);
   notes_ = built.notes;
   Stepper& stepper = *built.stepper;
+  refuse_held(scene_, stepper.blocks());
   const double changed = last_change(stepper.blocks());
   const auto is_settled = [&] {
     const StageEnd end = stepper.stage_end();

@@ -56,6 +56,12 @@ TEST(StrengthReduction, RefusesWhatIsOverBeforeAStaticVerdict) {
   EXPECT_NO_THROW(StrengthReduction(scene, {0}));
 }
 
+TEST(StrengthReduction, RefusesScenesInWhichNothingCanMove) {
+  Scene scene = plane_failure(20, 30);
+  scene.blocks[1].fixed = true;
+  EXPECT_THROW(StrengthReduction(scene, {0}), ddacontact::Error);
+}
+
 /// A trial goes on as long after the last change as it would without changes, however late that is.
 TEST(StrengthReduction, WaitsForALoadThatGrowsLongerThanItsTrialsTake) {
   const double friction = 35, weight = 3 * density * gravity, push = weight * std::tan(radians(friction)) / 3;
