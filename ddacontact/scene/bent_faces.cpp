@@ -114,7 +114,7 @@ std::optional<std::string> note_on_bent_face(const BlockSystem& blocks, const Bl
                                  ? "where the face of block " + quoted(blocks.names[b]) + " bends: "
                                  : "at the bend between the faces of blocks " + quoted(blocks.names[b]) +
                                        " and " + quoted(blocks.names[other]) + ": ";
-    if (there.size() >= 2)
+    if (other < 0 && there.size() >= 2)
       return "the joint between block " + quoted(blocks.names[*there.begin()]) + " and block " +
              quoted(blocks.names[*std::next(there.begin())]) + " ends " + face +
              "a corner does not slide round the bend, which holds blocks that would fail (let the "

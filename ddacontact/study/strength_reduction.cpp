@@ -62,7 +62,7 @@ bool begins_by_strengths(const Scene& scene) {
 /// A factor of what cannot move would be without limit, and count as safe in a sweep.
 void refuse_held(const Scene& scene, const BlockSystem& blocks) {
   bool may_move = std::ranges::any_of(scene.stages, [](const auto& stage) { return !stage.added.empty(); });
-  for (int b = 0; b < blocks.n_blocks(); ++b) may_move = may_move || blocks.is_movable(b);
+  for (int b = 0; b < blocks.n_blocks(); ++b) may_move = may_move || !blocks.is_unchanging(b);
   if (!may_move)
     throw Error(
         "no block can move: all are held (let some go; lines that are to divide a domain must meet, as "

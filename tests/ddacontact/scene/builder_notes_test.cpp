@@ -81,7 +81,7 @@ TEST(BuilderNotes, AFootAtTheGroundBelowASlidingBody) {
   EXPECT_TRUE(notes(ends_at("[0.1, 0.070021]"), "block \"wedge\" ends just before where the face"));
   EXPECT_FALSE(notes(ends_at("[1, 0.70021]"), "where the face of block")) << "it counts as moving before";
   EXPECT_FALSE(notes(ends_at("[0.1, 0.17]"), "where the face of block")) << "it is above the face";
-  const std::string ground = "[0, 0], [-10, 0.000000]]\nfixed = true\n";
+  const std::string ground = "[0, 0], [-10, -0.000000]]\nfixed = true\n";
   EXPECT_TRUE(notes(replaced(replaced(wedge_at_ground(0, "[3, 7]"), "[-10, -20], ", "[0, -20], "), ground,
                              "[0, 0]]\nfixed = true\n[[block]]\nname = \"ground\"\nmaterial = \"rock\"\n"
                              "vertices = [[-10, -20], [0, -20], [0, 0], [-10, 0]]\nfixed = true\n"),
