@@ -119,7 +119,7 @@ std::optional<std::string> note_on_bent_face(const BlockSystem& blocks, const Bl
              quoted(blocks.names[*std::next(there.begin())]) + " ends " + face +
              "a corner does not slide round the bend, which holds blocks that would fail (let the "
              "joint end above the bend)";
-    if (sliding)
+    if (sliding && there.size() < 2)
       return "block " + quoted(blocks.names[sliding->block]) + " ends " +
              (bend.is_at(*sliding) ? "" : "just before ") + face +
              "its corner does not slide round the bend, which holds a block that would fail (let the "
