@@ -105,6 +105,7 @@ class BlockSystem : public BlockActions {
   int n_unknowns() const { return n_unknowns_; }
   int n_stress_points() const { return n_stress_points_; }
   int n_coordinates() const { return n_coordinates_; }
+  /// Incremental blocks are there until the next step, which replaces them (`reshape`).
   const Block& block(int b) const {
     assert(b >= 0 && b < n_blocks());
     return *blocks_[b];

@@ -247,7 +247,6 @@ void concave_corners(Page& page) {
       const Scene scene = pushed_corner(turn, kinematics);
       const BuiltScene built = build(scene);
       const Stepper& stepper = *built.stepper;
-      const Block& of = stepper.blocks().block(0);
       int concave_at = 0, noted_at = 0;
       for (int k = 1; k <= scene.n_steps() && built.stepper->step(); ++k) {
         const Points outline = stepper.state().position;
@@ -255,6 +254,7 @@ void concave_corners(Page& page) {
         if (concave && concave_at == 0) concave_at = k;
         if (!stepper.notes().empty() && noted_at == 0) noted_at = k;
         all_sound = all_sound && outline.allFinite() && stepper.state().stress.allFinite();
+        const Block& of = stepper.blocks().block(0);
         const MatrixXd M = of.mass();
         const auto& shift = of.translations();
         least_mass =
