@@ -205,7 +205,8 @@ void softness(Report& report) {
   }
   for (const double dt : {0.02, 0.005, 0.001, 2e-4}) worst_rock = std::max(worst_rock, add(35e9, dt, false));
   report.table(rows);
-  report.picture("sliding_softness", draw({chart}, {.title = "Error of the distance of a sliding block"}),
+  report.picture("mechanics_sliding_softness",
+                 draw({chart}, {.title = "Error of the distance of a sliding block"}),
                  "The error over the way of a wave in a step, by friction.");
   report.claims(
       {{"At most 1e-6 where a wave crosses the block three times in a step.", worst_slow <= 1e-6,
