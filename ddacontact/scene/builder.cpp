@@ -11,6 +11,7 @@
 #include <ddacontact/scene/record_notes.hpp>
 #include <ddacontact/scene/steep_water.hpp>
 #include <ddacontact/scene/text.hpp>
+#include <ddacontact/scene/unlikely_values.hpp>
 
 #include <cmath>
 #include <map>
@@ -51,7 +52,9 @@ class Builder {
     note_domain();
     note_snapping();
     note_omissions(system);
-    for (std::string& note : scene_format::notes_on_records(scene_)) built_.notes.push_back(std::move(note));
+    for (const auto& notes :
+         {scene_format::notes_on_records(scene_), scene_format::notes_on_unlikely_values(scene_)})
+      built_.notes.insert(built_.notes.end(), notes.begin(), notes.end());
     built_.labels.origin = origin_;
     for (std::size_t b = 0; b < scene_.blocks.size(); ++b) {
       built_.labels.block_names.push_back(scene_.block_name(static_cast<int>(b)));

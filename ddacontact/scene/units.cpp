@@ -17,7 +17,7 @@ struct Symbol {
 };
 
 // length, mass, time, angle, decade, factor
-constexpr std::array<Symbol, 11> symbols{{
+constexpr std::array<Symbol, 13> symbols{{
     {"m", true, {1, 0, 0, 0, 0, 1}},
     {"g", true, {0, 1, 0, 0, -3, 1}},
     {"t", false, {0, 1, 0, 0, 3, 1}},
@@ -26,6 +26,8 @@ constexpr std::array<Symbol, 11> symbols{{
     {"Pa", true, {-1, 1, -2, 0, 0, 1}},
     {"J", true, {2, 1, -2, 0, 0, 1}},
     {"Hz", true, {0, 0, -1, 0, 0, 1}},
+    {"Gal", false, {1, 0, -2, 0, -2, 1}},
+    {"gal", false, {1, 0, -2, 0, -2, 1}},
     {"rad", true, {0, 0, 0, 1, 0, 1}},
     {"deg", false, {0, 0, 0, 1, 0, std::numbers::pi / 180}},
     {"\u00b0", false, {0, 0, 0, 1, 0, std::numbers::pi / 180}},

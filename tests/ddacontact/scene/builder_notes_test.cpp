@@ -88,6 +88,19 @@ TEST(BuilderNotes, AFootAtTheGroundBelowASlidingBody) {
                     "block \"wedge\" ends at the bend between the faces of blocks \"0\" and \"ground\""));
 }
 
+TEST(BuilderNotes, FrictionAsACoefficientAndBoltsOfSquareMetres) {
+  EXPECT_FALSE(notes(two_slices(0), "as a coefficient"));
+  const std::string friction = replaced(two_slices(0), "friction_angle = 20", "friction_angle = 0.577");
+  EXPECT_TRUE(notes(friction, "joint \"0\" is 0.577 degrees (as a coefficient of friction it would be 30"));
+  EXPECT_FALSE(notes(replaced(two_slices(0), "friction_angle = 20", "friction_angle = 0"), "coefficient"));
+  const auto bolted = [](const std::string& area) {
+    return two_slices(0) +
+           "[[bolt]]\nname = \"bar\"\npoints = [[1, 2], [1, -2]]\nyoung = 2e11\narea = " + area + "\n";
+  };
+  EXPECT_TRUE(notes(bolted("4"), "bolt \"bar\" has a section of 4 m2"));
+  EXPECT_FALSE(notes(bolted("\"4 cm2\""), "section of"));
+}
+
 TEST(BuilderNotes, ScenesWithoutJointsOrSupports) {
   const std::string joint = "[[joint]]\nfriction_angle = 20\n";
   EXPECT_FALSE(notes(two_slices(0), "frictionless"));

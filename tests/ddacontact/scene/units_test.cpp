@@ -36,9 +36,10 @@ INSTANTIATE_TEST_SUITE_P(
                     Good{"2500 kg/m3", "kg/m3", 2500}, Good{"5 cm", "m", 0.05}, Good{"57 cm", "m", 0.57},
                     Good{"7 mm", "m", 0.007}, Good{"4 m", "m", 4}, Good{"4 km", "m", 4000},
                     Good{"20 ms", "s", 0.02}, Good{"9.8 m/s2", "m/s2", 9.8}, Good{"980 cm/s2", "m/s2", 9.8},
-                    Good{"36 km/s", "m/s", 36000}, Good{"30 deg", "deg", 30}, Good{"30\u00b0", "deg", 30},
-                    Good{"2 rad/s", "rad/s", 2}, Good{"2 mrad/s", "rad/s", 0.002}, Good{"3 1/s", "Hz", 3},
-                    Good{"3 kHz", "1/s", 3000}, Good{"1 MN/m", "N/m", 1e6}, Good{"0 Pa", "Pa", 0}));
+                    Good{"980 Gal", "m/s2", 9.8}, Good{"980 gal", "m/s2", 9.8}, Good{"36 km/s", "m/s", 36000},
+                    Good{"30 deg", "deg", 30}, Good{"30\u00b0", "deg", 30}, Good{"2 rad/s", "rad/s", 2},
+                    Good{"2 mrad/s", "rad/s", 0.002}, Good{"3 1/s", "Hz", 3}, Good{"3 kHz", "1/s", 3000},
+                    Good{"1 MN/m", "N/m", 1e6}, Good{"0 Pa", "Pa", 0}));
 
 TEST(Units, AnglesConvert) {
   EXPECT_DOUBLE_EQ(read_quantity("0.5 rad", "deg", "").value, 90 / std::numbers::pi);
