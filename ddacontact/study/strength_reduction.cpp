@@ -69,6 +69,20 @@ void refuse_held(const Scene& scene, const BlockSystem& blocks) {
         "'snap' makes them)");
 }
 
+/// What is pulled by a hundredth of its weight slides at the speed at which damping balances that.
+std::optional<std::string> note_on_damping(const Scene& scene, const BlockSystem& blocks) {
+  const AnalysisOptions& last = scene.stages.back().analysis;
+  double largest = 0;
+  for (int b = 0; b < blocks.n_blocks(); ++b)
+    if (blocks.is_movable(b)) largest = std::max(largest, blocks.block(b).size());
+  if (last.mode == Mode::statics ||
+      last.damping.mass * TrialLimits{}.rest_speed * largest <= last.gravity.norm() / 100)
+    return std::nullopt;
+  return "damping by mass lets blocks slide as slowly as blocks at rest: factors are too large (leave "
+         "'damping' "
+         "out)";
+}
+
 /// The last stage begins with long static steps, or consists of them.
 void begin_by_release(Scene& scene) {
   StageDescription& last = scene.stages.back();
@@ -140,6 +154,7 @@ void StrengthReduction::settle(bool glues) {
   notes_ = built.notes;
   Stepper& stepper = *built.stepper;
   refuse_held(scene_, stepper.blocks());
+  if (auto note = note_on_damping(scene_, stepper.blocks())) notes_.push_back(std::move(*note));
   const double changed = last_change(stepper.blocks());
   const auto is_settled = [&] {
     const StageEnd end = stepper.stage_end();

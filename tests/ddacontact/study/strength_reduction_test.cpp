@@ -56,6 +56,20 @@ TEST(StrengthReduction, RefusesWhatIsOverBeforeAStaticVerdict) {
   EXPECT_NO_THROW(StrengthReduction(scene, {0}));
 }
 
+/// With 1e5 1/s its factor would be half as large again.
+TEST(StrengthReduction, NotesDampingThatHoldsWhatSlides) {
+  for (const double damping : {0., 10., 1e5}) {
+    Scene scene = plane_failure(20, 30);
+    scene.analysis.damping.mass = damping;
+    const StrengthReduction reduction(scene, {0});
+    EXPECT_EQ(
+        std::ranges::any_of(reduction.notes(),
+                            [](const std::string& note) { return note.starts_with("damping by mass"); }),
+        damping > 1e3)
+        << damping;
+  }
+}
+
 TEST(StrengthReduction, RefusesScenesInWhichNothingCanMove) {
   Scene scene = plane_failure(20, 30);
   scene.blocks[1].fixed = true;
