@@ -44,6 +44,7 @@ Scene wedge_at_level_ground(bool ground_is_another) {
   const double height = 12 * std::tan(20 * degree);
   const Points wedge = points({{0, 0}, {12, height}, {12, 6}, {5, 6}});
   scene.blocks = {block(points({{-6, -3}, {12, -3}, {12, height}, {0, 0}, {-6, 0}}), true), block(wedge)};
+  scene.blocks[0].model = BlockModel::mean_value;
   if (ground_is_another) {
     scene.blocks[0].vertices = points({{0, -3}, {12, -3}, {12, height}, {0, 0}});
     scene.blocks.push_back(block(rectangle(-6, -3, 6, 3), true));
