@@ -90,8 +90,8 @@ TEST(BuilderNotes, AFootAtTheGroundBelowASlidingBody) {
 
 TEST(BuilderNotes, FrictionAsACoefficientAndBoltsOfSquareMetres) {
   EXPECT_FALSE(notes(two_slices(0), "as a coefficient"));
-  const std::string friction = replaced(two_slices(0), "friction_angle = 20", "friction_angle = 0.577");
-  EXPECT_TRUE(notes(friction, "joint \"0\" is 0.577 degrees (as a coefficient of friction it would be 30"));
+  const std::string friction = replaced(two_slices(0), "friction_angle = 20", "friction_angle = 1");
+  EXPECT_TRUE(notes(friction, "joint \"0\" is 1 degrees (as a coefficient of friction it would be 45)"));
   EXPECT_FALSE(notes(replaced(two_slices(0), "friction_angle = 20", "friction_angle = 0"), "coefficient"));
   const auto bolted = [](const std::string& area) {
     return two_slices(0) +
