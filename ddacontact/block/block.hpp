@@ -51,8 +51,10 @@ class Block {
   Block& operator=(const Block&) = delete;
   /// The same block once more, which may get other numbers.
   virtual std::unique_ptr<Block> copy() const = 0;
-  /// The block with the maps and matrices of its shape in `state`; null: they are the same for every shape.
-  virtual std::unique_ptr<Block> reshaped(const BlockState& /*state*/) const { return nullptr; }
+  /// Whether its maps and matrices are those of its present shape.
+  virtual bool follows_shape() const { return false; }
+  /// Of a block that follows it: the block with the maps and matrices of its shape in `state`.
+  virtual std::unique_ptr<Block> reshaped(const BlockState& /*state*/) const { return copy(); }
 
   /// The shape whose motions carry the block on; null: it has none.
   virtual const CorotationalShape* shape() const { return nullptr; }

@@ -156,8 +156,7 @@ BlockState BlockSystem::initial_state() const {
 
 void BlockSystem::reshape(const BlockState& state, bool all) {
   for_all(n_blocks(), [&](int b) {
-    if (!all && !has_matrices(b)) return;
-    if (std::unique_ptr<const Block> reshaped = block(b).reshaped(state)) blocks_[b] = std::move(reshaped);
+    if (block(b).follows_shape() && (all || has_matrices(b))) blocks_[b] = block(b).reshaped(state);
   });
 }
 

@@ -6,9 +6,6 @@
 #include <polyfem/element/b_bar.hpp>
 #include <polyfem/element/matrices.hpp>
 
-#include <Eigen/Geometry>
-#include <Eigen/LU>
-
 #include <cassert>
 
 namespace ddacontact {

@@ -11,7 +11,7 @@ namespace ddacontact {
 struct RoundedCorner {
   SegmentPoint centre;  ///< of the circle, on the edge from the vertex to the next
   bool is_arc = false;  ///< whether the outline turns left there
-  /// Whether it is inside of several blocks that stay together: it meets nothing.
+  /// Whether it is inside of several blocks that stay together: it is not looked for.
   bool is_hidden = false;
 };
 

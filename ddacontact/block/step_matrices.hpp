@@ -20,8 +20,8 @@ struct StepMatrices {
   bool are_for(const StepRule& of_rule, double of_dt) const { return rule == of_rule && dt == of_dt; }
 };
 
-/// Data of a corotational block at the start of its step: rule and length, and numbers that BlockMotion or
-/// CorotationalStep lays out. They are one array, as every awake block has one.
+/// Data of a corotational block at the start of its step: rule and length, and vectors of its nodes that
+/// BlockMotion or CorotationalStep lays out. They are one array, as every awake block has one.
 struct CorotationalStart {
   std::shared_ptr<const StepMatrices> matrices{};
   std::vector<Vec2> arrays{};

@@ -119,18 +119,27 @@ void BlockSystem::Part::for_arrays(Whole& whole, Own& part, const Move& move) co
   move(whole.bolts(Numbers(bolt_numbers_)), part.bolts);
 }
 
+/// Block b of one becomes block k of the other where its matrices follow the shape that steps have given it.
+void BlockSystem::Part::pass_shape(const BlockSystem& from, int b, BlockSystem& to, int k) {
+  if (!from.block(b).follows_shape()) return;
+  const Block& same = to.block(k);
+  std::unique_ptr<Block> copy = from.block(b).copy();
+  copy->number(k, same.points().first, same.unknowns().first, same.stress_points().first,
+               same.coordinates().first);
+  to.blocks_[k] = std::move(copy);
+}
+
 void BlockSystem::Part::read(const BlockSystem& whole, const BlockState& state) {
   system_.gravity = whole.gravity;
   system_.end_time = whole.end_time;
   for_arrays(state, state_, [](const auto& of_whole, auto& of_part) { of_part = of_whole; });
-  system_.reshape(state_);
+  for (int k = 0; k < system_.n_blocks(); ++k) pass_shape(whole, blocks_[k], system_, k);
 }
 
 void BlockSystem::Part::write(BlockSystem& whole, BlockState& state) const {
   for_arrays(state, state_, [](auto&& of_whole, const auto& of_part) { of_whole = of_part; });
-  for (int b : blocks_)
-    if (std::unique_ptr<const Block> reshaped = whole.block(b).reshaped(state))
-      whole.blocks_[b] = std::move(reshaped);
+  for (int k = 0; k < system_.n_blocks(); ++k)
+    if (!is_resting(k)) pass_shape(system_, k, whole, blocks_[k]);
 }
 
 }  // namespace ddacontact

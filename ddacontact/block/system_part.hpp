@@ -22,7 +22,7 @@ class BlockSystem::Part {
   const BlockSystem& system() const { return system_; }
   BlockState& state() { return state_; }
   const BlockState& state() const { return state_; }
-  /// Takes over the state of the whole.
+  /// Takes over a state of the whole, and the shapes that its blocks have.
   void read(const BlockSystem& whole, const BlockState& state);
   /// Writes what has become of the part into the whole.
   void write(BlockSystem& whole, BlockState& state) const;
@@ -41,6 +41,7 @@ class BlockSystem::Part {
   /// Calls move(entries of the whole, those of the part) for every array.
   template <class Whole, class Own, class Move>
   void for_arrays(Whole& whole, Own& part, const Move& move) const;
+  static void pass_shape(const BlockSystem& from, int b, BlockSystem& to, int k);
   void take_starts(const BlockSystem& whole);
   /// Loads, water, quiet faces and supports of the blocks that do not rest.
   void take_actions(const BlockSystem& whole);

@@ -10,6 +10,7 @@ namespace ddacontact {
 /// All matrices are of the shape that the block was made of, and stresses sum up (12) without being turned.
 class IncrementalBlock : public Block {
  public:
+  bool follows_shape() const override { return true; }
   std::unique_ptr<Block> reshaped(const BlockState& state) const override;
   /// Throws Error for the schemes with half steps and for the midpoint scheme.
   void begin_step(const BlockState& state, const StepStart& start,

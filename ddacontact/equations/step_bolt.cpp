@@ -28,7 +28,7 @@ StepBolt::StepBolt(const BlockSystem& blocks, const Bolt& bolt)
     if (node.block < 0) continue;
     const Range& u = blocks.block(node.block).unknowns();
     blocks_.push_back(node.block);
-    // The map of a block of six unknowns is known when the block is prepared.
+    // The map of a block of six unknowns may change with its shape.
     if (u.count <= PointMap::capacity)
       for (int k = u.first; k < u.end(); ++k) unknowns_.push_back(k);
     else

@@ -15,7 +15,6 @@ struct StressRange {
 /// The area average of StressRange alone.
 Vec3 mean_stress(const Block& block, const BlockState& state);
 
-/// Of the shape that the block was last prepared for.
 StressRange stress_range(const Block& block, const BlockState& state);
 
 }  // namespace ddacontact

@@ -59,14 +59,18 @@ std::vector<FreeCorner> free_corners(const BlockSystem& blocks, const Points& po
   return corners;
 }
 
-}  // namespace
-
-namespace {
-
-/// A bend of the face of a block, or of a block and another.
+/// A bend of the face of a block, or of the faces of two.
 struct BentFace {
   Bend bend;
-  int block, other;  ///< other < 0: of the block alone
+  int in_block, out_block;
+
+  bool is_of_one() const { return in_block == out_block; }
+  std::string words(const BlockSystem& blocks) const {
+    const std::string first = quoted(blocks.names[in_block]);
+    return is_of_one() ? "where the face of block " + first + " bends: "
+                       : "at the bend between the faces of blocks " + first + " and " +
+                             quoted(blocks.names[out_block]) + ": ";
+  }
 };
 
 std::vector<BentFace> bent_faces(const BlockSystem& blocks, const Points& positions,
@@ -80,15 +84,31 @@ std::vector<BentFace> bent_faces(const BlockSystem& blocks, const Points& positi
       const Vec2 at = vertex(k);
       const Bend bend{at, at - vertex(k + n - 1), vertex(k + 1) - at, at_the_bend * block.size()};
       if (cross(bend.in, bend.out) < -least_bend * bend.in.norm() * bend.out.norm())
-        faces.push_back({bend, b, -1});
+        faces.push_back({bend, b, b});
     }
   }
   for (const HeldCorner& corner : held)
-    if (corner.block < corner.other && corner.free > least_bend && cross(corner.in, corner.out) < -least_bend)
+    if (corner.is_first && corner.in_block != corner.out_block && corner.free > least_bend &&
+        cross(corner.in, corner.out) < -least_bend)
       faces.push_back({{corner.at, corner.in, corner.out, at_the_bend * blocks.block(corner.block).size()},
-                       corner.block,
-                       corner.other});
+                       corner.in_block,
+                       corner.out_block});
   return faces;
+}
+
+std::string words_of_joint(const BlockSystem& blocks, const BentFace& face, int one, int other) {
+  return "the joint between block " + quoted(blocks.names[one]) + " and block " +
+         quoted(blocks.names[other]) + " ends " + face.words(blocks) +
+         "a corner does not slide round the bend, which holds blocks that would fail (let the joint end "
+         "above "
+         "the bend)";
+}
+
+std::string words_of_foot(const BlockSystem& blocks, const BentFace& face, const FreeCorner& foot) {
+  return "block " + quoted(blocks.names[foot.block]) + " ends " +
+         (face.bend.is_at(foot) ? "" : "just before ") + face.words(blocks) +
+         "its corner does not slide round the bend, which holds a block that would fail (let the face go on "
+         "straight below the block, or the block end further from the bend)";
 }
 
 }  // namespace
@@ -99,31 +119,21 @@ std::optional<std::string> note_on_bent_face(const BlockSystem& blocks, const Bl
   const std::vector<FreeCorner> corners = free_corners(blocks, positions);
   double reach = 0;
   for (const FreeCorner& corner : corners) reach = std::max(reach, corner.reach);
-  for (const auto& [bend, b, other] : bent_faces(blocks, positions, held)) {
+  for (const BentFace& face : bent_faces(blocks, positions, held)) {
+    const Bend& bend = face.bend;
     std::set<int> there;
     const FreeCorner* sliding = nullptr;
     const double furthest = std::max(bend.near, reach);
     auto corner = std::ranges::lower_bound(corners, bend.at.x() - furthest, {},
                                            [](const FreeCorner& c) { return c.at.x(); });
     for (; corner != corners.end() && corner->at.x() <= bend.at.x() + furthest; ++corner) {
-      if (corner->block == b) continue;
+      if (corner->block == face.in_block) continue;
       if (bend.is_at(*corner)) there.insert(corner->block);
       if (bend.stops(*corner, blocks.gravity)) sliding = &*corner;
     }
-    const std::string face = other < 0
-                                 ? "where the face of block " + quoted(blocks.names[b]) + " bends: "
-                                 : "at the bend between the faces of blocks " + quoted(blocks.names[b]) +
-                                       " and " + quoted(blocks.names[other]) + ": ";
-    if (other < 0 && there.size() >= 2)
-      return "the joint between block " + quoted(blocks.names[*there.begin()]) + " and block " +
-             quoted(blocks.names[*std::next(there.begin())]) + " ends " + face +
-             "a corner does not slide round the bend, which holds blocks that would fail (let the "
-             "joint end above the bend)";
-    if (sliding && there.size() < 2)
-      return "block " + quoted(blocks.names[sliding->block]) + " ends " +
-             (bend.is_at(*sliding) ? "" : "just before ") + face +
-             "its corner does not slide round the bend, which holds a block that would fail (let the "
-             "face go on straight below the block, or the block end further from the bend)";
+    if (face.is_of_one() && there.size() >= 2)
+      return words_of_joint(blocks, face, *there.begin(), *std::next(there.begin()));
+    if (sliding && there.size() < 2) return words_of_foot(blocks, face, *sliding);
   }
   return {};
 }

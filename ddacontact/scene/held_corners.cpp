@@ -6,16 +6,19 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace ddacontact {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+constexpr double half_a_turn = std::numbers::pi;
 
 /// What a block fills around a point of its outline: from one direction counter-clockwise by an angle.
 struct Wedge {
   double from, angle;
+  int block;
+  bool is_vertex;
 };
 
 double direction(const Vec2& v) {
@@ -23,42 +26,43 @@ double direction(const Vec2& v) {
 }
 /// In [0, 2 pi).
 double turn(double from, double to) {
-  const double angle = std::fmod(to - from, 2 * pi);
-  return angle < 0 ? angle + 2 * pi : angle;
+  const double angle = std::fmod(to - from, 2 * half_a_turn);
+  return angle < 0 ? angle + 2 * half_a_turn : angle;
 }
 
 /// Nothing where the point is not on the outline.
-std::vector<Wedge> wedge_at(const PointsRef& outline, const Vec2& at, double near) {
+std::optional<Wedge> wedge_at(int block, const PointsRef& outline, const Vec2& at, double near) {
   const Index n = outline.cols();
   for (Index k = 0; k < n; ++k) {
     if ((outline.col(k) - at).norm() > near) continue;
     const double out = direction(outline.col((k + 1) % n) - outline.col(k));
-    return {{out, turn(out, direction(outline.col((k + n - 1) % n) - outline.col(k)))}};
+    return Wedge{out, turn(out, direction(outline.col((k + n - 1) % n) - outline.col(k))), block, true};
   }
   for (Index k = 0; k < n; ++k) {
     const Vec2 along = outline.col((k + 1) % n) - outline.col(k), to = at - outline.col(k);
     const double length = along.norm(), s = to.dot(along) / length;
-    if (s > 0 && s < length && std::abs(cross(along, to)) <= near * length) return {{direction(along), pi}};
+    if (s > 0 && s < length && std::abs(cross(along, to)) <= near * length)
+      return Wedge{direction(along), half_a_turn, block, false};
   }
-  return {};
+  return std::nullopt;
 }
 
 Vec2 unit(double angle) {
   return {std::cos(angle), std::sin(angle)};
 }
 
-/// Finds the largest gap between the wedges.
+/// Finds the largest gap between the wedges, two or more.
 void find_free(std::vector<Wedge> wedges, HeldCorner& corner) {
   std::ranges::sort(wedges, {}, &Wedge::from);
-  corner.free = 0;
   for (std::size_t k = 0; k < wedges.size(); ++k) {
-    const double end = wedges[k].from + wedges[k].angle, begin = wedges[(k + 1) % wedges.size()].from;
-    double free = turn(wedges[k].from, begin) - wedges[k].angle;
-    if (wedges.size() == 1) free = 2 * pi - wedges[k].angle;
+    const Wedge &before = wedges[k], &after = wedges[(k + 1) % wedges.size()];
+    const double free = turn(before.from, after.from) - before.angle;
     if (free <= corner.free) continue;
     corner.free = free;
-    corner.in = -unit(end);
-    corner.out = unit(begin);
+    corner.in = -unit(before.from + before.angle);
+    corner.in_block = before.block;
+    corner.out = unit(after.from);
+    corner.out_block = after.block;
   }
 }
 
@@ -96,16 +100,16 @@ std::vector<HeldCorner> held_corners(const BlockSystem& blocks, const BlockState
     const PointsRef own = outline(b);
     for (int v = 0; v < blocks.block(b).n_vertices(); ++v) {
       const Vec2 at = own.col(v);
-      HeldCorner corner{b, v, -1, at, 0, Vec2::Zero(), Vec2::Zero()};
-      std::vector<Wedge> wedges = wedge_at(own, at, 0);
+      std::vector<Wedge> wedges{*wedge_at(b, own, at, 0)};
       for (int other : beside[k]) {
-        const double near = coincidence * std::max(blocks.block(b).size(), blocks.block(other).size());
-        const std::vector<Wedge> there = wedge_at(outline(other), at, near);
-        if (there.empty()) continue;
-        if (corner.other < 0) corner.other = other;
-        wedges.insert(wedges.end(), there.begin(), there.end());
+        const double near = coincidence * std::min(blocks.block(b).size(), blocks.block(other).size());
+        if (const std::optional<Wedge> wedge = wedge_at(other, outline(other), at, near))
+          wedges.push_back(*wedge);
       }
-      if (corner.other < 0) continue;
+      if (wedges.size() < 2) continue;
+      const bool is_first =
+          std::ranges::none_of(wedges, [b](const Wedge& of) { return of.is_vertex && of.block < b; });
+      HeldCorner corner{b, v, at, is_first, 0, Vec2::Zero(), Vec2::Zero(), b, b};
       find_free(std::move(wedges), corner);
       corners.push_back(corner);
     }

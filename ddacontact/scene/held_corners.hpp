@@ -14,11 +14,13 @@ namespace ddacontact {
 /// there to be met.
 struct HeldCorner {
   int block, vertex;  ///< of the block, 0 .. n_vertices - 1
-  int other;          ///< the first other block there
   Vec2 at;
-  double free;  ///< the largest angle that is free there, radians; 0: none
-  Vec2 in,
-      out;  ///< unit vectors along the surface to the corner and from it, counter-clockwise as an outline
+  bool is_first;  ///< no block before this one has a vertex there
+  double free;    ///< the largest angle that is free there, radians; 0: none
+  /// Unit vectors along the surface to the corner and from it, counter-clockwise as an outline, and the blocks
+  /// whose faces these are.
+  Vec2 in, out;
+  int in_block, out_block;
 
   /// Whether the surface bends inwards there, by more than round-off of a drawing.
   bool is_inside() const { return free < std::numbers::pi - 1e-3; }

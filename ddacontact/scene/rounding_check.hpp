@@ -5,7 +5,8 @@
 
 namespace ddacontact::scene_format {
 
-/// A problem where the circles at the two ends of some edge would use it up. All outlines must be valid.
+/// A problem where the circles at the two ends of an edge would use it up: a warning, where there are blocks
+/// for which they do not. All outlines must be valid.
 void check_corner_rounding(const Document& document, const Scene& scene, const BlockTable& blocks,
                            ProblemList& problems);
 

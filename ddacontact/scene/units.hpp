@@ -18,7 +18,7 @@ struct Unit {
   }
 };
 
-/// Symbols m g t s N Pa J Hz rad deg (and the degree sign), with a prefix k M G m c where that makes sense,
+/// Symbols m g t s N Pa J Hz Gal gal rad deg (and the degree sign), with a prefix k M G m c where that makes sense,
 /// an exponent of one digit ("m3", "m^3", "s-2"), and between them '/', '*', '.' or a space, taken from left
 /// to right; "1/s" too. Nothing for anything else.
 std::optional<Unit> parse_unit(std::string_view text);

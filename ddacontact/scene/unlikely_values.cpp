@@ -19,8 +19,13 @@ constexpr double largest_section = 0.05;
 std::vector<std::string> notes_on_unlikely_values(const Scene& scene) {
   std::vector<std::string> notes;
   for (std::size_t j = 0; j < scene.joints.size(); ++j) {
-    const Joint& joint = scene.joints[j];
-    if (joint.friction_angle <= 0 || joint.friction_angle >= largest_coefficient) continue;
+    const auto is_unlikely = [](const Joint& of) {
+      return of.friction_angle > 0 && of.friction_angle < largest_coefficient;
+    };
+    Joint joint = scene.joints[j];
+    for (const StageDescription& stage : scene.stages)
+      if (is_unlikely(stage.joints[j])) joint = stage.joints[j];
+    if (!is_unlikely(joint)) continue;
     const double angle = std::atan(joint.friction_angle) * 180 / std::numbers::pi;
     notes.push_back("the friction angle of joint " +
                     quoted(joint.name.empty() ? std::to_string(j) : joint.name) + " is " +

@@ -61,7 +61,9 @@ bool begins_by_strengths(const Scene& scene) {
 
 /// A factor of what cannot move would be without limit, and count as safe in a sweep.
 void refuse_held(const Scene& scene, const BlockSystem& blocks) {
-  bool may_move = std::ranges::any_of(scene.stages, [](const auto& stage) { return !stage.added.empty(); });
+  const auto is_free = [&](int b) { return !scene.blocks[b].fixed; };
+  bool may_move = std::ranges::any_of(
+      scene.stages, [&](const auto& stage) { return std::ranges::any_of(stage.added, is_free); });
   for (int b = 0; b < blocks.n_blocks(); ++b) may_move = may_move || !blocks.is_unchanging(b);
   if (!may_move)
     throw Error(
@@ -75,12 +77,11 @@ std::optional<std::string> note_on_damping(const Scene& scene, const BlockSystem
   double largest = 0;
   for (int b = 0; b < blocks.n_blocks(); ++b)
     if (blocks.is_movable(b)) largest = std::max(largest, blocks.block(b).size());
-  if (last.mode == Mode::statics ||
-      last.damping.mass * TrialLimits{}.rest_speed * largest <= last.gravity.norm() / 100)
+  const double weight = last.gravity.norm(), speed = TrialLimits{}.rest_speed * largest;
+  if (last.mode == Mode::statics || weight == 0 || last.damping.mass * speed <= weight / 100)
     return std::nullopt;
-  return "damping by mass lets blocks slide as slowly as blocks at rest: factors are too large (leave "
-         "'damping' "
-         "out)";
+  return "damping by mass lets blocks slide as slowly as blocks at rest: factors are too large (no "
+         "'damping')";
 }
 
 /// The last stage begins with long static steps, or consists of them.

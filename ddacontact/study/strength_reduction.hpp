@@ -37,7 +37,8 @@ class SettlingStopped : public Error {
 class StrengthReduction {
  public:
   /// Makes the settled state. Throws SettlingStopped, and Error when the scene is of the method
-  /// "classic", which cannot settle glued, or when none of `joints` has any strength.
+  /// "classic", which cannot settle glued, when none of `joints` has any strength, when loads are over before a
+  /// static verdict, or when no block can move.
   /// \param[in] joints  indices of those that are reduced
   StrengthReduction(const Scene& scene, std::vector<int> joints);
 
@@ -49,7 +50,7 @@ class StrengthReduction {
 
   /// What is wrong with the settled state: it is out of balance or moves. Empty: it rests.
   const std::string& unsettled() const { return unsettled_; }
-  /// Of the scene, see BuiltScene.
+  /// Of the scene, see BuiltScene, and on its trials.
   const std::vector<std::string>& notes() const { return notes_; }
   /// As it is tried: in stages, bonds as is_ductile() says.
   const Scene& scene() const { return scene_; }

@@ -24,9 +24,9 @@ struct VariantTrials {
 /// with rounded corners at a factor well below the one at which it rests with sharp ones has found such
 /// steps: the pivot that rounding moves inwards accounts for less than a hundredth.
 ///
-/// Tries 95 % of the factor with corners rounded by 0.003, less of blocks with shorter edges. Nothing for scenes
-/// whose corners are round already or cannot be; `stopped` where the scene with rounded corners does not
-/// settle.
+/// Tries 95 % of the factor with corners rounded by 0.003, less of blocks with shorter edges. Nothing for
+/// scenes whose corners are round already or cannot be; `stopped` where the scene with rounded corners does
+/// not settle.
 std::optional<RoundedTrial> try_with_rounded_corners(Scene scene, const std::vector<int>& joints,
                                                      double factor);
 

@@ -37,6 +37,7 @@ struct Equilibrium {
 };
 
 /// \param[in] system     of the substep
+/// \param[in] solution   its forces, reactions and straight motion
 /// \param[in] before     the state that it began in
 /// \param[in] reactions  of supports, N per m, 2 x all points
 /// \param[in] velocity   at the end of the substep; in a static one its displacements over its length

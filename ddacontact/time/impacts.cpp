@@ -226,10 +226,10 @@ class Flight : ImpactStep {
       u.of(before) = as_velocity(blocks.block(b), then, rigid_[b]) + times[b] * u.of(acceleration_);
     }
     JumpReport report;
-    Participants part;
+    Colliding part;
     bool deform = rule.has_half_steps(), again;
     do {
-      part = find_participants(then, before, deform, times, first);
+      part = find_colliding(then, before, deform, times, first);
       report = impact(blocks, then, part.contacts, before, part.least_approach / 2);
       again = !report.settled && !std::exchange(deform, true);
     } while (again || break_bonds(part, report) || add_soon(then, before + report.jump, times, first));
@@ -267,13 +267,13 @@ class Flight : ImpactStep {
     return any;
   }
 
-  struct Participants {
+  struct Colliding {
     std::vector<ImpactContact> contacts;
     std::vector<std::size_t> indices;
     double least_approach = inf;
   };
   /// Lets bonds go that would have to bear more than their strength; false: none does.
-  bool break_bonds(const Participants& part, const JumpReport& report) {
+  bool break_bonds(const Colliding& part, const JumpReport& report) {
     bool any = false;
     for (std::size_t k = 0; k < part.contacts.size(); ++k) {
       const Contact& contact = contacts[part.indices[k]];
@@ -287,9 +287,9 @@ class Flight : ImpactStep {
   }
   /// \param[in] deform  whether what bears follows the deformation of its blocks; of whole steps impacts end
   /// its approach too, where they can
-  Participants find_participants(const BlockState& then, const VectorXd& before, bool deform,
-                                 const std::vector<double>& times, const std::vector<char>& first) const {
-    Participants found;
+  Colliding find_colliding(const BlockState& then, const VectorXd& before, bool deform,
+                           const std::vector<double>& times, const std::vector<char>& first) const {
+    Colliding found;
     for (std::size_t c = 0; c < contacts.size(); ++c) {
       const Contact& contact = contacts[c];
       if (!takes_part(contact, times)) continue;

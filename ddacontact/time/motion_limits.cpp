@@ -58,7 +58,7 @@ const std::vector<double>& MotionLimits::search_margin(const BlockSystem& blocks
       search_margin_[b] = block.furthest_vertex(prescribed) + least_margin * block.size();
     } else {
       const double expected = 2 * (speed_[b] * dt + fall) + least_margin * block.size();
-      search_margin_[b] = std::min(scale * expected, largest_search_margin(blocks.block(b)));
+      search_margin_[b] = std::min(scale * expected, largest_search_margin(block));
     }
   }
   return search_margin_;

@@ -113,7 +113,7 @@ struct Setting {
 };
 
 /// What of an impact takes part in it.
-struct Participants {
+struct Colliding {
   std::vector<int> blocks;            ///< that move, ascending
   std::vector<std::size_t> contacts;  ///< indices
   std::vector<ContactTerm> terms;
@@ -142,8 +142,8 @@ ContactTerm impact_term(const ImpactContact& contact) {
 }
 
 /// Of the islands of movable blocks joined by contacts those in which one approaches.
-Participants find_participants(const BlockSystem& blocks, const std::vector<ImpactContact>& contacts,
-                               const VectorXd& v, double least_approach) {
+Colliding find_colliding(const BlockSystem& blocks, const std::vector<ImpactContact>& contacts,
+                         const VectorXd& v, double least_approach) {
   DisjointSets islands(blocks.n_blocks());
   std::vector<int> first_of(contacts.size(), -1);  // the first movable block of each contact, -1: none
   for (std::size_t c = 0; c < contacts.size(); ++c)
@@ -153,7 +153,7 @@ Participants find_participants(const BlockSystem& blocks, const std::vector<Impa
       if (first_of[c] < 0) first_of[c] = b;
       islands.join(b, first_of[c]);
     }
-  Participants found;
+  Colliding found;
   std::set<int> hit;  // roots
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const double approach = contacts[c].bonded ? 0 : -contacts[c].gap.change(v) - contacts[c].gap_rate;
@@ -179,7 +179,7 @@ Participants find_participants(const BlockSystem& blocks, const std::vector<Impa
 
 /// Solves with friction, |P_T| <= bound(P_N + given), from impulses of zero. False: friction
 /// and normal impulses do not agree, or rates do not vanish to the tolerance.
-bool solve_with_friction(const NormalAndShear& rates, const Participants& of, const VectorXd& given,
+bool solve_with_friction(const NormalAndShear& rates, const Colliding& of, const VectorXd& given,
                          double tolerance, ImpulseProblem& problem) {
   bool vanish = false;
   const auto solve = [&](const VectorXd& bounds, VectorXd& wanted) {
@@ -206,7 +206,7 @@ JumpReport impact(const BlockSystem& blocks, const BlockState& state,
   JumpReport report;
   report.jump = VectorXd::Zero(blocks.n_unknowns());
   report.impulses.resize(contacts.size());
-  const Participants of = find_participants(blocks, contacts, v, least_approach);
+  const Colliding of = find_colliding(blocks, contacts, v, least_approach);
   if (of.contacts.empty()) return report;
 
   Setting setting(blocks, state, of.blocks, of.terms, v, of.beside);

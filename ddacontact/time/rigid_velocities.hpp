@@ -49,6 +49,7 @@ struct JumpReport {
 /// of the forms, of all unknowns; the jump is a rigid motion of each block that its prescribed degrees of
 /// freedom allow. Momentum is that of the impulses, equal and opposite. The
 /// kinetic energy never rises.
+/// \param[in] state           where the blocks are
 /// \param[in] least_approach  m/s: only islands with a contact that approaches faster take part
 JumpReport impact(const BlockSystem& blocks, const BlockState& state,
                   const std::vector<ImpactContact>& contacts, const VectorXd& v, double least_approach);

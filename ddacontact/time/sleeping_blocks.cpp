@@ -68,7 +68,7 @@ SleepingBlocks::WhileStepping::WhileStepping(SleepingBlocks& sleepers) : sleeper
 
 SleepingBlocks::WhileStepping::~WhileStepping() {
   sleepers_.in_step_ = false;
-  sleepers_.pass_to_whole();
+  sleepers_.participants_ = sleepers_.whole_;
 }
 
 SleepRecord SleepingBlocks::record() const {
@@ -363,9 +363,12 @@ void SleepingBlocks::pass_to_part() {
   participants_ = {&asleep_->part->system(), &asleep_->part->state()};
 }
 
+void SleepingBlocks::write() {
+  if (!whole_takes_part()) asleep_->part->write(*whole_.blocks, *whole_.state);
+}
+
 void SleepingBlocks::pass_to_whole() {
-  if (whole_takes_part()) return;
-  asleep_->part->write(*whole_.blocks, *whole_.state);
+  write();
   participants_ = whole_;
 }
 

@@ -23,7 +23,8 @@ class SleepingBlocks {
   SleepingBlocks(Participants& participants, std::vector<ContactRecord>& contacts,
                  const ContactProperties& properties, MotionLimits& limits, TrialStep& trial);
 
-  /// While it lives a step is made: the participants are the part.
+  /// While it lives a step is made: the participants are the part. What the step does to them is lost at its end
+  /// unless it is written before.
   class WhileStepping {
    public:
     explicit WhileStepping(SleepingBlocks& sleepers);
@@ -34,6 +35,9 @@ class SleepingBlocks {
    private:
     SleepingBlocks& sleepers_;
   };
+
+  /// Writes what has become of the participants into the whole.
+  void write();
 
   bool is_asleep(int b) const { return sleeping_.is_asleep(b); }
   int n_asleep() const { return sleeping_.n_asleep(); }

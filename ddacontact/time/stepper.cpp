@@ -41,6 +41,7 @@ bool Stepper::step() {
   {
     const SleepingBlocks::WhileStepping while_stepping(sleepers_);
     made = make_substeps();
+    sleepers_.write();
   }
   if (!made) return false;
   const std::optional<RestCriterion>& until = stages_[progress_.stage].until;

@@ -65,7 +65,8 @@ class Stepper {
   /// Contacts of the last accepted substep, with its results; before the first step, those at the start.
   /// Those of sleeping blocks are as they were.
   const std::vector<ContactRecord>& contacts() const { return sleepers_.contacts(); }
-  /// Contacts that a step from here begins with; where blocks sleep, by the numbers of those that take part.
+  /// Contacts that a step from here begins with, valid until the next step; where blocks sleep, by the numbers of
+  /// those that take part.
   std::vector<Contact> contacts_to_begin_with();
   /// Properties of the contacts, with the joints of the present stage.
   const ContactProperties& contact_properties() const { return properties_; }

@@ -9,7 +9,7 @@
 
 namespace ddacontact {
 
-/// A trial that is accepted, as its blocks still have it begun.
+/// A trial that is accepted; its system still has the step begun.
 struct AcceptedTrial {
   const BlockSystem& blocks;
   const BlockState& before;

@@ -59,3 +59,25 @@ TEST(SystemPart, IsASystemOfItsOwnWhoseStateIsReadAndWritten) {
   EXPECT_EQ(of_whole.position, expected.position);
   EXPECT_EQ(of_whole.rotation, expected.rotation);
 }
+
+TEST(SystemPart, HasTheBlocksOfTheWholeInTheirShapes) {
+  Scene scene = four_blocks();
+  scene.analysis.kinematics = Kinematics::incremental;
+  BuiltScene built = build(scene);
+  BlockSystem& whole = blocks_of(built);
+  BlockState state = built.stepper->state();
+  BlockSystem::Part part(whole, {1, 2, 3}, {0, 0, 0, 1});
+  const double before = whole.block(2).mass()(0, 0);
+  state.position.rightCols(8) *= 2;  // of blocks 2 and 3, from their origins
+  whole.reshape(state);
+  part.read(whole, state);
+  EXPECT_EQ(part.system().block(1).integration_weights(), whole.block(2).integration_weights());
+  EXPECT_EQ(part.system().block(1).unknowns().first, 8);
+
+  part.state().position.middleCols(4, 4) /= 2;
+  part.system().reshape(part.state());
+  part.write(whole, state);
+  EXPECT_EQ(part.system().block(1).integration_weights(), whole.block(2).integration_weights());
+  EXPECT_NEAR(whole.block(2).mass()(0, 0), before, 1e-9 * before);
+  EXPECT_EQ(whole.block(2).unknowns().first, 16);
+}

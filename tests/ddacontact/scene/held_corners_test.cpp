@@ -43,7 +43,9 @@ TEST(HeldCorners, TheSurfaceOfTwoBlocksBendsAtTheirJoint) {
     EXPECT_EQ(top.is_inside(), angle > 0);
     EXPECT_LE((top.in - Vec2(-std::cos(angle), -std::sin(angle))).norm(), 1e-12) << "down the face";
     EXPECT_LE((top.out - Vec2(-1, 0)).norm(), 1e-12) << "along the ground";
-    EXPECT_EQ(top.block + top.other, 1);
+    EXPECT_EQ(top.in_block, 1);
+    EXPECT_EQ(top.out_block, 0);
+    EXPECT_EQ(std::ranges::count_if(corners, &HeldCorner::is_first), 2);
   }
 }
 
@@ -55,7 +57,10 @@ TEST(HeldCorners, ACornerOnAnEdgeHasHalfATurnBelowIt) {
   const auto foot = std::ranges::find_if(
       corners, [](const HeldCorner& corner) { return (corner.at - Vec2(-4, 0)).norm() < 1e-9; });
   ASSERT_NE(foot, corners.end());
-  EXPECT_EQ(foot->other, 0);
+  EXPECT_EQ(foot->block, 3);
+  EXPECT_EQ(foot->in_block, 3);
+  EXPECT_EQ(foot->out_block, 0);
+  EXPECT_TRUE(foot->is_first) << "the ground has no vertex there";
   EXPECT_NEAR(foot->free, half_a_turn / 2, 1e-12);
   EXPECT_LE((foot->in - Vec2(0, -1)).norm(), 1e-12);
   EXPECT_LE((foot->out - Vec2(-1, 0)).norm(), 1e-12);

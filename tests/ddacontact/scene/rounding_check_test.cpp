@@ -21,6 +21,15 @@ TEST(RoundingCheck, RefusesWhatLeavesNothingOfAnEdge) {
     EXPECT_NE(text.find(words), std::string::npos) << words << " in " << text;
 }
 
+TEST(RoundingCheck, WarnsWhereOtherBlocksLeaveRoom) {
+  const std::string text =
+      said({"contact.corner_rounding=0.003", "block.0.vertices=[[0,0],[1,0],[1,0.9999],[0.9999,1],[0,1]]"});
+  EXPECT_NE(text.find("warning: 'corner_rounding' = '0.003' leaves nothing of an edge of block 0"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("arcs of blocks with such edges are smaller"), std::string::npos) << text;
+}
+
 TEST(RoundingCheck, ItsAdviceIsTaken) {
   for (const char* short_edge : {"0.5", "0.01", "1e-4"}) {
     const std::string vertices =
