@@ -15,6 +15,7 @@ struct StressRange {
 /// The area average of StressRange alone.
 Vec3 mean_stress(const Block& block, const BlockState& state);
 
+/// At the integration points.
 StressRange stress_range(const Block& block, const BlockState& state);
 
 }  // namespace ddacontact

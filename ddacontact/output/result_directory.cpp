@@ -137,8 +137,8 @@ std::filesystem::path begin_directory(std::filesystem::path directory) {
 ResultDirectory::ResultDirectory(std::filesystem::path directory, Labels labels, const FrameOptions& frames)
     : directory_(begin_directory(std::move(directory))),
       labels_(std::move(labels)),
-      monitors_(file(monitors_file), monitors_header),
       energy_(file(energy_file), energy_header),
+      monitors_(file(monitors_file), monitors_header),
       frames_(directory_, frames) {
   for (const char* name : {bolts_file, supports_file}) remove_file(directory_ / name);
   if (labels_.has_bolts) bolts_.emplace(file(bolts_file), bolts_header);
@@ -149,8 +149,8 @@ ResultDirectory::ResultDirectory(std::filesystem::path directory, Labels labels,
                                  const std::filesystem::path& source, const ResultMarks& marks)
     : directory_(begin_directory(std::move(directory))),
       labels_(std::move(labels)),
-      monitors_(file(monitors_file), monitors_header, source / monitors_file, marks.monitors),
       energy_(file(energy_file), energy_header, source / energy_file, marks.energy),
+      monitors_(file(monitors_file), monitors_header, source / monitors_file, marks.monitors),
       frames_(directory_, frames, source, marks.n_frames) {
   if (labels_.has_bolts) bolts_.emplace(file(bolts_file), bolts_header, source / bolts_file, marks.bolts);
   if (!labels_.supported_blocks.empty())

@@ -73,7 +73,8 @@ class ResultDirectory {
 
   std::filesystem::path directory_;
   Labels labels_;
-  CsvFile monitors_, energy_;
+  CsvFile energy_;  ///< the first file: it says that the directory is a run's (holds_results)
+  CsvFile monitors_;
   std::optional<CsvFile> bolts_, supports_;  ///< of scenes with bolts, with supports
   FrameWriter frames_;
 };

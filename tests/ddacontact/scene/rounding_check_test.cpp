@@ -22,9 +22,11 @@ TEST(RoundingCheck, RefusesWhatLeavesNothingOfAnEdge) {
 }
 
 TEST(RoundingCheck, WarnsWhereOtherBlocksLeaveRoom) {
-  const std::string text =
-      said({"contact.corner_rounding=0.003", "block.0.vertices=[[0,0],[1,0],[1,0.9999],[0.9999,1],[0,1]]"});
-  EXPECT_NE(text.find("warning: 'corner_rounding' = '0.003' leaves nothing of an edge of block 0"),
+  const std::string text = all_text(
+      read(row_of_three, {"contact.corner_rounding=0.003",
+                          "block.2.vertices=[[4,0],[6,0],[6,0.9999],[5.9999,1],[4,1]]"})
+          .problems);
+  EXPECT_NE(text.find("warning: 'corner_rounding' = '0.003' leaves nothing of an edge of block 'c'"),
             std::string::npos)
       << text;
   EXPECT_NE(text.find("arcs of blocks with such edges are smaller"), std::string::npos) << text;
