@@ -69,7 +69,7 @@ TEST(IslandsApart, HaveTheMatricesOfBlocksThatFollowTheirShape) {
   run(*one.stepper, 20);
   EXPECT_GT(apart.stepper->counts().impacts, 0);
   const Points difference = apart.stepper->state().position - one.stepper->state().position;
-  EXPECT_LE(difference.cwiseAbs().maxCoeff(), 1e-7);
+  EXPECT_LE(difference.cwiseAbs().maxCoeff(), 1e-5) << "with matrices of the start 5e-4";
 }
 
 /// Each converges as it does when there is no other.
