@@ -80,9 +80,7 @@ TEST(HeldCorners, BlocksThatMoveOrGoAreNotCounted) {
   EXPECT_TRUE(corners_of(scene).empty());
   scene.blocks[0].fixed = true;
   scene.analysis.steps = 2;
-  scene.stages.resize(1);
-  scene.stages[0].analysis = scene.analysis;
-  scene.stages.push_back(scene.stages[0]);
+  scene.stages = {scene.stage(""), scene.stage("")};
   scene.stages[1].removed = {1};
   EXPECT_TRUE(corners_of(scene).empty());
 }
