@@ -52,9 +52,9 @@ StepSystem::StepSystem(const BlockSystem& blocks)
   for (int b = 0; b < blocks.n_blocks(); ++b) {
     const Range& u = blocks.block(b).unknowns();
     u.of(unknown_lengths_) = blocks.block(b).unknown_lengths();
-    mark_motions_of_the_whole(blocks.block(b).rigid_modes(blocks.drawn()), &moves_as_a_whole_[u.first]);
     if (!blocks.is_unchanging(b)) active_.push_back(b);
     if (!blocks.has_matrices(b)) continue;
+    mark_motions_of_the_whole(blocks.block(b).rigid_modes(blocks.drawn()), &moves_as_a_whole_[u.first]);
     assembled_.push_back(b);
     first_element_.push_back(elements.n_elements());
     for (int p = 0; p < blocks.block(b).n_parts(); ++p) {

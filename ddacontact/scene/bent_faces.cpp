@@ -99,16 +99,15 @@ std::vector<BentFace> bent_faces(const BlockSystem& blocks, const Points& positi
 std::string words_of_joint(const BlockSystem& blocks, const BentFace& face, int one, int other) {
   return "the joint between block " + quoted(blocks.names[one]) + " and block " +
          quoted(blocks.names[other]) + " ends " + face.words(blocks) +
-         "a corner does not slide round the bend, which holds blocks that would fail (let the joint end "
-         "above "
-         "the bend)";
+         "a corner does not slide round the bend, which holds blocks that would fail "
+         "(let the joint end above the bend)";
 }
 
 std::string words_of_foot(const BlockSystem& blocks, const BentFace& face, const FreeCorner& foot) {
   return "block " + quoted(blocks.names[foot.block]) + " ends " +
          (face.bend.is_at(foot) ? "" : "just before ") + face.words(blocks) +
-         "its corner does not slide round the bend, which holds a block that would fail (let the face go on "
-         "straight below the block, or the block end further from the bend)";
+         "its corner does not slide round the bend, which holds a block that would fail "
+         "(let the face go on straight below the block, or the block end further from the bend)";
 }
 
 }  // namespace

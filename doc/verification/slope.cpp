@@ -5,6 +5,7 @@
 #include <ddacontact/picture/chart.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -150,22 +151,9 @@ double error_of_distance(double young, double dt, double part_of_limit) {
   return std::abs(run_slide(slide).acceleration_by_distance / exact_acceleration(slide) - 1);
 }
 
-/// Blocks as soft as that a pressure wave crosses them in any number of steps.
-void softness(Report& report) {
-  constexpr double softest = 35e6, longest_step = 0.02, poisson = 0.3, density = 2500;
-  const double wave_in_softest =
-      std::sqrt(softest * (1 - poisson) / ((1 + poisson) * (1 - 2 * poisson)) / density);
-  report.paragraph("### Softer blocks");
-  report.paragraph(
-      "The same on 45 degrees, settled first, over the way c Δt of a pressure wave in a step in heights L = "
-      "2 m "
-      "of the block: E = 35 MPa with steps of that length up to 20 ms, from there on stiffer blocks with "
-      "steps "
-      "of 20 ms; then E = 35 GPa with shorter steps. In steps that resolve its waves a soft block vibrates "
-      "by "
-      "friction, leaves the slope for moments, and slides faster than a rigid one: the smaller what is left "
-      "of "
-      "the pull, the more. The error of the distance:");
+/// The error of the distance by friction, a row for each way of a wave in a step.
+struct ErrorsByFriction {
+  static constexpr std::array<double, 6> parts_of_limit{0, 0.25, 0.5, 0.75, 0.9, 0.98};
   std::vector<std::vector<std::string>> rows{{"c Δt / L", "E, MPa", "Δt, ms"}};
   Chart chart{.x_symbol = {"c Δt / L", "", ""},
               .y_symbol = {"error", "", ""},
@@ -174,19 +162,22 @@ void softness(Report& report) {
               .series = {},
               .x_logarithmic = true,
               .y_logarithmic = true};
-  const std::vector<double> frictions{0, 0.25, 0.5, 0.75, 0.9, 0.98};
-  for (const double f : frictions) {
-    rows[0].push_back(fmt::format("μ = {:g} tan a", f));
-    chart.series.push_back({fmt::format("μ = {:g} tan a", f), {}, {}});
-    chart.series.back().dots = true;
+
+  ErrorsByFriction() {
+    for (const double part : parts_of_limit) {
+      rows[0].push_back(fmt::format("μ = {:g} tan a", part));
+      chart.series.push_back({rows[0].back(), {}, {}});
+      chart.series.back().dots = true;
+    }
   }
-  const auto add = [&](double young, double dt, bool in_chart) {
-    const double ratio = wave_in_softest * std::sqrt(young / softest) * dt / slider_height;
+
+  /// The largest error with this modulus and step; `ratio`: c Δt / L.
+  double add(double ratio, double young, double dt, bool in_chart) {
     std::vector<std::string> row{fmt::format("{:.2g}", ratio), fmt::format("{:.3g}", young / 1e6),
                                  fmt::format("{:.3g}", 1e3 * dt)};
     double largest = 0;
-    for (std::size_t k = 0; k < frictions.size(); ++k) {
-      const double error = error_of_distance(young, dt, frictions[k]);
+    for (std::size_t k = 0; k < parts_of_limit.size(); ++k) {
+      const double error = error_of_distance(young, dt, parts_of_limit[k]);
       row.push_back(text(error));
       largest = std::max(largest, error);
       if (!in_chart) continue;
@@ -195,18 +186,35 @@ void softness(Report& report) {
     }
     rows.push_back(row);
     return largest;
+  }
+};
+
+/// Blocks as soft as that a pressure wave crosses them in any number of steps.
+void softness(Report& report) {
+  constexpr double softest = 35e6, longest_step = 0.02, poisson = 0.3, density = 2500;
+  const auto wave = [&](double young) {
+    return std::sqrt(young * (1 - poisson) / ((1 + poisson) * (1 - 2 * poisson)) / density);
   };
+  report.paragraph("### Softer blocks");
+  report.paragraph(
+      "The same on 45 degrees, settled first, over the way c Δt of a pressure wave in a step in heights "
+      "L = 2 m of the block: E = 35 MPa with steps of that length up to 20 ms, from there on stiffer blocks "
+      "with steps of 20 ms; then E = 35 GPa with shorter steps. In steps that resolve its waves a soft "
+      "block vibrates by friction, leaves the slope for moments, and slides faster than a rigid one: the "
+      "smaller what is left of the pull, the more. The error of the distance:");
+  ErrorsByFriction errors;
   double worst_slow = 0, worst_rock = 0;
   for (const double ratio : {0.03, 0.1, 0.3, 1., 3., 10., 30., 100.}) {
-    const double dt = std::min(longest_step, ratio * slider_height / wave_in_softest),
-                 wave = ratio * slider_height / dt,
-                 error = add(softest * std::pow(wave / wave_in_softest, 2), dt, true);
+    const double dt = std::min(longest_step, ratio * slider_height / wave(softest)),
+                 young = softest * std::pow(ratio * slider_height / dt / wave(softest), 2),
+                 error = errors.add(ratio, young, dt, true);
     if (ratio >= 3) worst_slow = std::max(worst_slow, error);
   }
-  for (const double dt : {0.02, 0.005, 0.001, 2e-4}) worst_rock = std::max(worst_rock, add(35e9, dt, false));
-  report.table(rows);
+  for (const double dt : {0.02, 0.005, 0.001, 2e-4})
+    worst_rock = std::max(worst_rock, errors.add(wave(35e9) * dt / slider_height, 35e9, dt, false));
+  report.table(errors.rows);
   report.picture("mechanics_sliding_softness",
-                 draw({chart}, {.title = "Error of the distance of a sliding block"}),
+                 draw({errors.chart}, {.title = "Error of the distance of a sliding block"}),
                  "The error over the way of a wave in a step, by friction.");
   report.claims(
       {{"At most 1e-6 where a wave crosses the block three times in a step.", worst_slow <= 1e-6,
