@@ -1,12 +1,11 @@
 #include <polyfem/io/checksum.hpp>
 
-#include <zlib.h>
+#include <libdeflate.h>
 
 namespace polyfem {
 
 std::uint32_t checksum(std::string_view bytes, std::uint32_t before) {
-  return static_cast<std::uint32_t>(
-      crc32_z(before, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
+  return libdeflate_crc32(before, bytes.data(), bytes.size());
 }
 
 }  // namespace polyfem

@@ -1,16 +1,13 @@
 #include <polyfem/io/zlib_blocks.hpp>
 
 #include <polyfem/core/error.hpp>
-
-#include <zlib.h>
+#include <polyfem/io/compressor.hpp>
 
 #include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <cstring>
 #include <future>
-#include <new>
-#include <optional>
 
 namespace polyfem {
 namespace {
@@ -20,35 +17,6 @@ static_assert(std::endian::native == std::endian::little, "files are little endi
 constexpr std::size_t block_size = 1 << 15;  // what deflate can see at once; fits a core's cache
 constexpr std::size_t blocks_per_trial = 16;
 constexpr std::size_t best_possible_ratio = 1032;  // of deflate
-
-/// One way to deflate blocks.
-class Stream {
- public:
-  Stream(int level, int strategy, int memory_level) {
-    constexpr int window_bits = 15;
-    if (deflateInit2(&stream_, level, Z_DEFLATED, window_bits, memory_level, strategy) != Z_OK)
-      throw std::bad_alloc();
-    deflated_.resize(deflateBound(&stream_, block_size));
-  }
-  ~Stream() { deflateEnd(&stream_); }
-  Stream(const Stream&) = delete;
-  Stream& operator=(const Stream&) = delete;
-
-  /// Valid until the next call.
-  std::string_view deflate_block(std::span<const std::byte> block) {
-    deflateReset(&stream_);
-    stream_.next_in = const_cast<Bytef*>(reinterpret_cast<const Bytef*>(block.data()));
-    stream_.avail_in = static_cast<uInt>(block.size());
-    stream_.next_out = reinterpret_cast<Bytef*>(deflated_.data());
-    stream_.avail_out = static_cast<uInt>(deflated_.size());
-    deflate(&stream_, Z_FINISH);
-    return std::string_view(deflated_).substr(0, stream_.total_out);
-  }
-
- private:
-  z_stream stream_{};
-  std::string deflated_;
-};
 
 std::uint64_t read_number(std::string_view data, std::size_t k) {
   std::uint64_t number = 0;
@@ -85,29 +53,12 @@ BlockSizes read_sizes(std::string_view data) {
 
 }  // namespace
 
-struct BlockDeflater::Streams {
-  Stream stored{0, Z_DEFAULT_STRATEGY, 1};
-  std::optional<Stream> repetitions, runs;
-  Stream* chosen = &stored;
-
-  std::string_view deflate_and_choose(std::span<const std::byte> block) {
-    if (!runs) {
-      repetitions.emplace(1, Z_DEFAULT_STRATEGY, 8);
-      runs.emplace(1, Z_RLE, 8);
-    }
-    const std::string_view by_repetitions = repetitions->deflate_block(block),
-                           by_runs = runs->deflate_block(block);
-    const std::size_t worthwhile = block.size() - block.size() / 6;
-    if (std::min(by_runs.size(), by_repetitions.size()) > worthwhile)
-      chosen = &stored;
-    else
-      chosen = by_runs.size() <= by_repetitions.size() * 11 / 10 ? &*runs : &*repetitions;
-    return by_runs.size() < by_repetitions.size() ? by_runs : by_repetitions;
-  }
+struct BlockDeflater::Compressors {
+  Compressor storing{0}, deflating{1};
 };
 
-BlockDeflater::BlockDeflater(int n_threads) : streams_(std::max(n_threads, 1)) {
-  for (auto& streams : streams_) streams = std::make_unique<Streams>();
+BlockDeflater::BlockDeflater(int n_threads) : compressors_(std::max(n_threads, 1)) {
+  for (auto& compressors : compressors_) compressors = std::make_unique<Compressors>();
 }
 BlockDeflater::~BlockDeflater() = default;
 BlockDeflater::BlockDeflater(BlockDeflater&&) noexcept = default;
@@ -120,25 +71,25 @@ std::string BlockDeflater::deflate(std::span<const std::byte> array) {
   header[0] = n_blocks;
   header[1] = block_size;
   header[2] = array.size() % block_size;
-  const bool tries = array.size() >= block_size / 8;
+  const bool is_short = array.size() < block_size / 8;
 
   std::vector<std::string> groups(n_groups);
-  const auto deflate_group = [&](std::size_t group, Streams& streams) {
+  const auto deflate_group = [&](std::size_t group, const Compressors& by) {
     const std::size_t first = group * blocks_per_trial, end = std::min(n_blocks, first + blocks_per_trial);
     groups[group].reserve((end - first) * (block_size + 64));
-    streams.chosen = &streams.stored;
+    bool stores = is_short;
     for (std::size_t k = first; k < end; ++k) {
       const auto block = array.subspan(k * block_size, std::min(block_size, array.size() - k * block_size));
-      const std::string_view deflated =
-          tries && k == first ? streams.deflate_and_choose(block) : streams.chosen->deflate_block(block);
-      header[3 + k] = deflated.size();
-      groups[group] += deflated;
+      const std::size_t before = groups[group].size();
+      (stores ? by.storing : by.deflating).append(block.data(), block.size(), groups[group]);
+      header[3 + k] = groups[group].size() - before;
+      if (k == first) stores = stores || header[3 + k] > block.size() - block.size() / 6;
     }
   };
-  const std::size_t n_threads = std::min(streams_.size(), n_groups);
+  const std::size_t n_threads = std::min(compressors_.size(), n_groups);
   const auto deflate_every_nth = [&](std::size_t thread) {
     for (std::size_t group = thread; group < n_groups; group += n_threads)
-      deflate_group(group, *streams_[thread]);
+      deflate_group(group, *compressors_[thread]);
   };
   std::vector<std::future<void>> others;
   for (std::size_t thread = 1; thread < n_threads; ++thread)
@@ -161,12 +112,14 @@ std::vector<std::byte> inflate_blocks(std::string_view data) {
   std::vector<std::byte> bytes(sizes.n_bytes);
   std::size_t at = 0;
   const char* deflated = data.data() + sizes.start;
+  const std::unique_ptr<libdeflate_decompressor, void (*)(libdeflate_decompressor*)> decompressor(
+      libdeflate_alloc_decompressor(), libdeflate_free_decompressor);
+  if (!decompressor) throw std::bad_alloc();
   for (const std::size_t deflated_size : sizes.deflated) {
-    uLongf inflated = std::min(sizes.block, bytes.size() - at);
-    const uLongf expected = inflated;
-    const int status = uncompress(reinterpret_cast<Bytef*>(bytes.data() + at), &inflated,
-                                  reinterpret_cast<const Bytef*>(deflated), deflated_size);
-    if (status != Z_OK || inflated != expected) throw Error("its bytes are damaged");
+    const std::size_t inflated = std::min(sizes.block, bytes.size() - at);
+    if (libdeflate_zlib_decompress(decompressor.get(), deflated, deflated_size, bytes.data() + at, inflated,
+                                   nullptr) != LIBDEFLATE_SUCCESS)
+      throw Error("its bytes are damaged");
     at += inflated;
     deflated += deflated_size;
   }

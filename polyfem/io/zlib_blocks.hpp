@@ -13,11 +13,9 @@ namespace polyfem {
 /// Deflates arrays. Their form is: number of blocks, size of a block, size of the last one when it is smaller
 /// (else 0), the deflated size of each block, all UInt64, then the blocks as zlib streams.
 ///
-/// Numbers with all their digits hardly repeat: looking for repetitions (zlib's level 1) takes twice the time
-/// of run lengths and codes for bytes, and gains little. So one block in sixteen is deflated both ways, and
-/// the next ones as it turned out for that; what shrinks by less than a sixth either way, and an array of
-/// less than a block's eighth, is stored. Each such group of blocks is deflated by itself, so that the bytes
-/// are the same for any number of threads.
+/// Where the first block of sixteen shrinks by less than a sixth the others are stored as they are, and so is an
+/// array of less than a block's eighth. Each such group of blocks is deflated by itself, so that the bytes are
+/// the same for any number of threads.
 class BlockDeflater {
  public:
   explicit BlockDeflater(int n_threads = 1);
@@ -28,8 +26,8 @@ class BlockDeflater {
   std::string deflate(std::span<const std::byte> array);
 
  private:
-  struct Streams;
-  std::vector<std::unique_ptr<Streams>> streams_;  ///< one a thread
+  struct Compressors;
+  std::vector<std::unique_ptr<Compressors>> compressors_;  ///< one a thread
 };
 
 /// The bytes that `data` starts with an array of. Throws Error when it does not hold them whole.

@@ -1,18 +1,13 @@
 #include <polyfem/io/zlib_stream.hpp>
 
-#include <zlib.h>
-
-#include <new>
+#include <polyfem/io/compressor.hpp>
 
 namespace polyfem {
 
 std::string zlib_stream(std::string_view bytes) {
-  uLongf size = compressBound(bytes.size());
-  std::string stream(size, '\0');
-  if (compress2(reinterpret_cast<Bytef*>(stream.data()), &size, reinterpret_cast<const Bytef*>(bytes.data()),
-                bytes.size(), Z_DEFAULT_COMPRESSION) != Z_OK)
-    throw std::bad_alloc();
-  stream.resize(size);
+  constexpr int level_of_zlib = 6;
+  std::string stream;
+  Compressor(level_of_zlib).append(bytes.data(), bytes.size(), stream);
   return stream;
 }
 

@@ -6,7 +6,7 @@
 
 namespace polyfem {
 
-/// A zlib stream (RFC 1950) of the bytes, at zlib's own trade of size against time.
+/// A zlib stream (RFC 1950) of the bytes, at zlib's usual trade of size against time.
 std::string zlib_stream(std::string_view bytes);
 
 }  // namespace polyfem

@@ -12,7 +12,7 @@ set(third_party
   "nlohmann/"                             "^ddacontact/(output/|page/|scene/json_(parser|schema)\\.cpp$|study/safety_files\\.cpp$)"
   "fmt/|spdlog/|CLI11|CLI/"               "^apps/"
   "cholmod|umfpack|suitesparse/|cblas|openblas"  "^polyfem/assembly/"
-  "zlib|pugixml"                          "^polyfem/io/"
+  "libdeflate|pugixml"                    "^polyfem/io/"
   "gtest/|gmock/"                         "^polyfem/testing/"
   "librsvg/|cairo"                        "^apps/dda/rendered_svg\\.cpp$"
   "pybind11/"                             "^apps/python/"

@@ -1,7 +1,7 @@
 # Packages of Debian 12 by what they are for; sourced by the scripts that set up a machine.
 
 program_packages=(g++ cmake ninja-build libeigen3-dev libsuitesparse-dev libopenblas-dev libtomlplusplus-dev
-  libcli11-dev libfmt-dev libspdlog-dev nlohmann-json3-dev libgeos-dev zlib1g-dev libpugixml-dev
+  libcli11-dev libfmt-dev libspdlog-dev nlohmann-json3-dev libgeos-dev libdeflate-dev libpugixml-dev
   pkg-config librsvg2-dev fonts-dejavu-core)
 python_packages=(python3-dev pybind11-dev python3-numpy python3-matplotlib python3-pytest)
 # To change the page of `dda view`: its sources are TypeScript.
