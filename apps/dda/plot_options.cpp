@@ -2,6 +2,8 @@
 
 #include "option_values.hpp"
 
+#include <ddacontact/picture/field.hpp>
+
 namespace dda {
 
 namespace {
@@ -28,10 +30,12 @@ void declare_blocks(CLI::App& plot, PlotArguments& call) {
   const auto flag = [&](const char* name, bool& value, const char* text) {
     plot.add_flag(name, value, text)->group(blocks);
   };
-  list(
-      "--field", call.fields, "NAME",
-      "Colours: sxx, syy, sxy, s1, s2, displacement, velocity, material, block or none; several with commas, "
-      "or repeated. Left out: s2, or none without stress");
+  std::string names;
+  for (const ddacontact::FieldDescription& field : ddacontact::all_fields())
+    names += std::string(field.name) + ", ";
+  list("--field", call.fields, "NAME",
+       ("Colours: " + names + "several with commas, or repeated. Left out: s2, or none without stress")
+           .c_str());
   list("--frame", call.frames, "STEP",
        "The number of a step, or last; several with commas, or repeated. Left out: last");
   flag("--reference", call.reference, "Outlines at the start, dashed");

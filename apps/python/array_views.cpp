@@ -9,13 +9,16 @@ using polyfem::Index;
 
 namespace {
 
+py::array read_only(py::array array) {
+  array.attr("flags").attr("writeable") = false;
+  return array;
+}
+
 template <class Columns>
 py::array view_of(const Columns& columns, const py::object& owner) {
   const py::ssize_t n_entries = columns.rows(), size = sizeof(double);
-  py::array_t<double> array({static_cast<py::ssize_t>(columns.cols()), n_entries}, {n_entries * size, size},
-                            columns.data(), owner);
-  array.attr("flags").attr("writeable") = false;
-  return array;
+  return read_only(py::array_t<double>({static_cast<py::ssize_t>(columns.cols()), n_entries},
+                                       {n_entries * size, size}, columns.data(), owner));
 }
 
 }  // namespace
@@ -32,6 +35,10 @@ py::array view(const polyfem::Points& columns, const py::object& owner) {
 
 py::array view(const polyfem::Tensors& columns, const py::object& owner) {
   return view_of(columns, owner);
+}
+
+py::array view(const polyfem::VectorXd& numbers, const py::object& owner) {
+  return read_only(py::array_t<double>(static_cast<py::ssize_t>(numbers.size()), numbers.data(), owner));
 }
 
 py::array copy(const polyfem::Points& columns) {

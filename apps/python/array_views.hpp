@@ -16,6 +16,8 @@ polyfem::Points points_of(const PointArray& array, const char* what);
 /// alive.
 pybind11::array view(const polyfem::Points& columns, const pybind11::object& owner);
 pybind11::array view(const polyfem::Tensors& columns, const pybind11::object& owner);
+/// The same of numbers (n).
+pybind11::array view(const polyfem::VectorXd& numbers, const pybind11::object& owner);
 
 /// A copy as an array (n, 2).
 pybind11::array copy(const polyfem::Points& columns);

@@ -65,6 +65,13 @@ py::list outline_ranges_of(const Frame& frame) {
   return ranges;
 }
 
+py::dict block_values_of(const py::object& self) {
+  py::dict arrays;
+  for (const auto& [name, values] : self.cast<const Frame&>().block_values)
+    arrays[py::str(name)] = view(values, self);
+  return arrays;
+}
+
 template <auto member>
 py::array view_of(const py::object& self) {
   return view(self.cast<const Frame&>().*member, self);
@@ -86,7 +93,12 @@ void add_frames(py::module_& module) {
       .def_property_readonly("velocity", &view_of<&Frame::velocity>, "Of all points (n, 2), m/s.")
       .def_property_readonly("stress", &view_of<&Frame::mean_stress>,
                              "Mean sxx, syy, sxy of every block (n, 3), Pa, tension positive.")
+      .def_property_readonly("block_values", &block_values_of,
+                             "Numbers of every block (n) by name, as `dda plot --field` takes it.")
       .def_property_readonly("contacts", &contacts_of, "Closed contacts, a structured array.");
+  py::dict units;
+  for (const BlockField& field : block_fields()) units[field.name] = field.unit;
+  module.attr("block_fields") = units;
   module.def(
       "frame_list",
       [](const std::filesystem::path& directory) {

@@ -158,6 +158,12 @@ Frame capture_frame(const Stepper& stepper, const Labels& labels, const FrameFie
     for (int p = 0; fields.velocity && p < block.n_points(); ++p)
       frame.velocity.col(block.points().first + p) = block.vertex_map(p)(state.velocity);
   }
+  for (const BlockField& field : block_fields()) {
+    VectorXd& values = frame.block_values[field.name];
+    values.setZero(system.n_blocks());
+    for (int b = 0; b < system.n_blocks(); ++b)
+      if (system.is_present(b)) values[b] = field.value(stepper, b);
+  }
   const Counts counts = add_cells(system, frame);
   if (fields.stress) set_stress(system, state, counts, frame);
   for (const ContactRecord& contact : stepper.contacts())

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <ddacontact/contact/joint_law.hpp>
+#include <ddacontact/output/block_field.hpp>
 #include <ddacontact/output/labels.hpp>
 #include <ddacontact/time/stepper.hpp>
 #include <polyfem/basis/basis.hpp>
 
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -54,6 +56,7 @@ struct Frame {
   Points strain_displacement;      ///< CellStress of each cell's corners; no columns: stress not requested
   Tensors stress_offset;           ///< CellStress of each cell; no columns: stress not requested
   Tensors mean_stress;             ///< of each block, the area average; no columns: not requested
+  std::map<std::string, VectorXd> block_values;  ///< of each block, 0 where it is gone, by BlockField::name
   std::vector<FrameContact> contacts;
 
   int n_blocks() const { return static_cast<int>(blocks.size()); }

@@ -88,6 +88,11 @@ void add_values(VtuFile& file, VtuSection section, const std::vector<int>& block
   }
 }
 
+void add_block_values(VtuFile& file, const std::vector<int>& block_of_cell, const Frame& frame) {
+  for (const auto& [name, values] : frame.block_values)
+    file.add(VtuSection::cell_data, name, entries(VectorXd(values(block_of_cell))));
+}
+
 int state_number(ContactState state) {
   return state == ContactState::open ? 0 : state == ContactState::stick ? 1 : 2;
 }
@@ -104,6 +109,7 @@ void write_blocks(const std::filesystem::path& path, const Frame& frame, const F
   file.set_cells(mesh.connectivity, mesh.ends, mesh.cell_types);
   add_values(file, VtuSection::point_data, mesh.block_of_point, mesh.at_points, frame, options);
   add_values(file, VtuSection::cell_data, mesh.block_of_cell, mesh.at_cells, frame, options);
+  add_block_values(file, mesh.block_of_cell, frame);
   if (mesh.at_points.strain_displacement.cols() > 0)
     file.add(VtuSection::point_data, "strain_displacement", entries(mesh.at_points.strain_displacement), 2);
   file.write(path);

@@ -137,6 +137,20 @@ void read_stress(const VtuReader& file, const std::vector<int>& corner_points, F
   frame.stress_offset = Eigen::Map<const Tensors>(offset.data(), 3, frame.n_cells());
 }
 
+void read_block_values(const VtuReader& file, Frame& frame) {
+  for (const BlockField& field : block_fields()) {
+    if (!file.has(VtuSection::cell_data, field.name)) continue;
+    const auto block = file.read<std::int32_t>(VtuSection::cell_data, "block_id");
+    const auto of_cells = file.read<double>(VtuSection::cell_data, field.name);
+    VectorXd& values = frame.block_values[field.name];
+    values.setZero(frame.n_blocks());
+    for (std::size_t c = 0; c < of_cells.size(); ++c) {
+      if (block[c] < 0 || block[c] >= frame.n_blocks()) file.fail("a cell has a block that does not exist");
+      values[block[c]] = of_cells[c];
+    }
+  }
+}
+
 ContactState state_of(const VtuReader& file, int state, int slip_sense) {
   for (ContactState candidate : {ContactState::open, ContactState::stick})
     if (state == static_cast<int>(candidate) && slip_sense == 0) return candidate;
@@ -206,6 +220,7 @@ Frame read_frame(const FrameFile& files) {
   read_materials(blocks, points, frame);
   read_fields(blocks, points, frame);
   read_stress(blocks, read_cells(blocks, points, frame), frame);
+  read_block_values(blocks, frame);
   if (read_one<double>(contacts, "TimeValue") != frame.time) contacts.fail("it is of another moment");
   read_contacts(contacts, frame);
   return frame;

@@ -63,7 +63,7 @@ void PageRanges::see(Field field, std::vector<double> values) {
   std::erase_if(values, [](double value) { return !std::isfinite(value); });
   if (values.empty()) return;
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
-  const double cut = has_peaks_at_corners(field) ? tail : 0;
+  const double cut = is_stress(field) ? tail : 0;
   const PageRange seen{{*low, *high}, {percentile(values, cut), percentile(values, 1 - cut)}};
   const auto [point, is_new] = of_fields_.try_emplace(field, seen);
   if (is_new) return;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* sigma = "\u03c3";
 
-const std::vector<FieldDescription> fields = {
+const std::vector<FieldDescription> fields_at_points = {
     {Field::none, "none", {}, "", FieldKind::outlines},
     {Field::sxx, "sxx", {sigma, "xx", ""}, "Pa", FieldKind::with_sign},
     {Field::syy, "syy", {sigma, "yy", ""}, "Pa", FieldKind::with_sign},
@@ -24,6 +24,14 @@ const std::vector<FieldDescription> fields = {
     {Field::velocity, "velocity", {"velocity", "", ""}, "m/s", FieldKind::magnitude},
     {Field::material, "material", {"material", "", ""}, "", FieldKind::kinds},
     {Field::block, "block", {"block", "", ""}, "", FieldKind::kinds}};
+
+std::vector<FieldDescription> with_block_fields() {
+  std::vector<FieldDescription> all = fields_at_points;
+  for (const BlockField& field : block_fields())
+    all.push_back(
+        {static_cast<Field>(all.size()), field.name, {field.name, "", ""}, field.unit, FieldKind::with_sign});
+  return all;
+}
 
 /// Strains below this are round-off.
 constexpr double round_off = 1e-13;
@@ -40,22 +48,24 @@ Eigen::VectorXd mean(const Frame& frame, int block, Field field) {
 }  // namespace
 
 const std::vector<FieldDescription>& all_fields() {
-  return fields;
+  static const std::vector<FieldDescription> all = with_block_fields();
+  return all;
 }
 
 const FieldDescription& description(Field field) {
-  return fields[static_cast<std::size_t>(field)];
+  return all_fields()[static_cast<std::size_t>(field)];
 }
 
 std::optional<Field> field_named(std::string_view name) {
-  for (const FieldDescription& field : fields)
+  for (const FieldDescription& field : all_fields())
     if (name == field.name) return field.field;
   return std::nullopt;
 }
 
 bool holds(const Frame& frame, Field field) {
   const Index n = frame.position.cols();
-  if (description(field).kind == FieldKind::with_sign)
+  if (field >= Field::of_blocks) return frame.block_values.contains(description(field).name);
+  if (is_stress(field))
     return frame.strain_displacement.cols() == static_cast<Index>(frame.corner_points.size());
   if (field == Field::displacement) return frame.displacement.cols() == n;
   if (field == Field::velocity) return frame.velocity.cols() == n;
@@ -65,7 +75,7 @@ bool holds(const Frame& frame, Field field) {
 CellField::CellField(const Frame& frame, int cell, Field field, double least)
     : frame_(frame), field_(field), view_(frame, cell), corners_(view_.local_corners()), least_(0) {
   simple_ = &view_.basis() == &polyfem::wachspress || !polyfem::find_defect(corners_);
-  if (description(field).kind == FieldKind::with_sign)
+  if (is_stress(field))
     least_ = std::max(least,
                       round_off * frame.elasticity[static_cast<std::size_t>(view_.cell().elasticity)](0, 0));
 }
@@ -86,19 +96,23 @@ double CellField::stress_value(const Vec3& stress) const {
 }
 
 double CellField::operator()(const Vec2& point) {
-  const bool of_stress = description(field_).kind == FieldKind::with_sign;
+  const double found = value(point);
+  return std::isfinite(found) && std::abs(found) > least_ ? found : 0;
+}
+
+double CellField::value(const Vec2& point) {
+  if (field_ >= Field::of_blocks) return frame_.block_values.at(description(field_).name)[view_.cell().block];
   Eigen::VectorXd tensor;
   if (!simple_) {
     tensor = mean(frame_, view_.cell().block, field_);
   } else {
     view_.basis()(corners_, point, shape_);
-    if (of_stress)
+    if (is_stress(field_))
       tensor = view_.stress(shape_);
     else
       tensor = view_.interpolate(field_ == Field::velocity ? frame_.velocity : frame_.displacement, shape_);
   }
-  const double value = of_stress ? stress_value(tensor) : tensor.norm();
-  return std::isfinite(value) && std::abs(value) > least_ ? value : 0;
+  return is_stress(field_) ? stress_value(tensor) : tensor.norm();
 }
 
 }  // namespace ddacontact

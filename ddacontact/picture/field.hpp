@@ -10,8 +10,14 @@
 
 namespace ddacontact {
 
-/// Numbers and kinds under the names of the result files' arrays.
-enum class Field { none, sxx, syy, sxy, s1, s2, displacement, velocity, material, block };
+/// Numbers and kinds under the names of the result files' arrays. The fields of `block_fields()` follow in
+/// their order.
+enum class Field { none, sxx, syy, sxy, s1, s2, displacement, velocity, material, block, of_blocks };
+
+/// Whether it is a component of the stress or a principal stress.
+constexpr bool is_stress(Field field) {
+  return field >= Field::sxx && field <= Field::s2;
+}
 
 /// How a field is drawn.
 enum class FieldKind {
@@ -37,11 +43,6 @@ const FieldDescription& description(Field field);
 /// The field of this name, or nothing.
 std::optional<Field> field_named(std::string_view name);
 
-/// Whether it may have peaks at corners that mean nothing, as stresses do.
-inline bool has_peaks_at_corners(Field field) {
-  return field != Field::displacement && field != Field::velocity;
-}
-
 /// Whether the frame holds what the field is computed from.
 bool holds(const Frame& frame, Field field);
 
@@ -60,6 +61,7 @@ class CellField {
 
  private:
   double stress_value(const Vec3& stress) const;
+  double value(const Vec2& point);
 
   const Frame& frame_;
   Field field_;

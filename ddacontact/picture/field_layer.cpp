@@ -83,7 +83,7 @@ Points corners_of(const Frame& frame, int cell) {
 
 FieldSamples::FieldSamples(const Frame& frame, Field field, double pixels_per_metre, const Frame& drawn)
     : frame_(drawn) {
-  const bool of_stress = description(field).kind == FieldKind::with_sign;
+  const bool of_stress = is_stress(field);
   const double least =
       of_stress && frame.mean_stress.size() > 0 ? negligible * frame.mean_stress.cwiseAbs().maxCoeff() : 0;
   const std::vector<bool> is_divided = cells_of_divided_blocks(frame);
@@ -105,7 +105,7 @@ FieldSamples::FieldSamples(const Frame& frame, Field field, double pixels_per_me
       widen(telling_range_, piece.values.head(FanMesh(mesh.n_corners(), rings).n_nodes()), first);
     }
   }
-  if (!has_peaks_at_corners(field)) return;
+  if (!of_stress) return;
   const ValueRange most = percentiles(field, is_divided);
   has_peaks_ = telling_range_.high - telling_range_.low > worth_cutting * (most.high - most.low);
   if (has_peaks_) telling_range_ = most;

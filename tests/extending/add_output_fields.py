@@ -17,6 +17,8 @@ expect(summary["bolts"] == 0, "the summary has the number of bolts")
 with open(dda.scratch / "out/blocks.csv") as file:
     masses = [float(row["mass"]) for row in csv.DictReader(file)]
 expect(len(masses) == summary["blocks"] and min(masses) > 0, "each block has its mass")
-dda("plot", "out", "--field", "rotation", "-o", "rotation.svg")
-picture = (dda.scratch / "rotation.svg").read_text()
-expect("rotation" in picture and "rad" in picture, "the picture has the field in its legend")
+dda("plot", "out", "--field", "size", "-o", "size.svg")
+picture = (dda.scratch / "size.svg").read_text()
+expect("size (" in picture, "the picture has the field in its legend")
+frame = next((dda.scratch / "out/frames").glob("blocks*.vtu")).read_bytes()
+expect(b'Name="size"' in frame, "the files of frames have it")

@@ -175,7 +175,7 @@ def test_plot_draws_the_blocks():
 
     matplotlib.use("Agg")
     result = polydda.run(slide())
-    for field in ("s1", "displacement", "velocity"):
+    for field in ("s1", "displacement", "velocity", "rotation"):
         axes = result.plot(field)
         (blocks,) = axes.collections
         assert len(blocks.get_paths()) == 2

@@ -29,7 +29,11 @@ class Frame:
     displacement: npt.NDArray[np.float64]
     velocity: npt.NDArray[np.float64]
     stress: npt.NDArray[np.float64]
+    block_values: dict[str, npt.NDArray[np.float64]]
     contacts: npt.NDArray[Any]
+
+block_fields: dict[str, str]
+"""The unit of each of `Frame.block_values`."""
 
 def check_text(text: str, name: str, settings: Sequence[str], directory: str) -> list[tuple[Any, ...]]: ...
 def run_text(

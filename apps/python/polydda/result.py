@@ -15,7 +15,8 @@ if TYPE_CHECKING:
     import numpy as np
     import numpy.typing as npt
 
-FIELDS = ("s1", "s2", "sxx", "syy", "sxy", "displacement", "velocity")
+STRESSES = ("s1", "s2", "sxx", "syy", "sxy")
+UNITS = {**dict.fromkeys(STRESSES, "Pa"), "displacement": "m", "velocity": "m/s", **_core.block_fields}
 
 
 class Result:
@@ -87,14 +88,15 @@ class Result:
         """Draws blocks with Matplotlib, coloured by `field`, and returns the axes.
 
         A block has one colour: its mean stress (sxx, syy, sxy, s1, s2 in Pa, tension positive) or the mean
-        magnitude of its vertices' displacement (m) or velocity (m/s). `dda plot` draws stress within blocks.
+        magnitude of its vertices' displacement (m) or velocity (m/s). The numbers of `frame.block_values` are
+        fields too. `dda plot` draws stress within blocks.
         Further arguments go to Matplotlib's PolyCollection.
         """
         from matplotlib import pyplot
         from matplotlib.collections import PolyCollection
 
-        if field not in FIELDS:
-            raise ValueError(f"field is {field!r}: write one of {', '.join(FIELDS)}")
+        if field not in UNITS:
+            raise ValueError(f"field is {field!r}: write one of {', '.join(UNITS)}")
         moment = self.frame(frame)
         if axes is None:
             axes = pyplot.figure().add_subplot()
@@ -106,8 +108,7 @@ class Result:
         axes.set_xlabel("x, m")
         axes.set_ylabel("y, m")
         axes.set_title(f"t = {moment.time:.6g} s")
-        unit = {"displacement": "m", "velocity": "m/s"}.get(field, "Pa")
-        axes.figure.colorbar(blocks, ax=axes, label=f"{field}, {unit}")
+        axes.figure.colorbar(blocks, ax=axes, label=f"{field}, {UNITS[field]}")
         return axes
 
 
@@ -115,6 +116,10 @@ def block_values(frame: _core.Frame, field: str) -> npt.NDArray[np.float64]:
     """One value a block that is present: see `Result.plot`."""
     import numpy as np
 
+    if field in _core.block_fields:
+        if field not in frame.block_values:
+            raise ValueError(f"the frames hold no {field}: they are of an older version")
+        return frame.block_values[field][frame.present]
     columns = {"displacement": frame.displacement, "velocity": frame.velocity}.get(field, frame.stress)
     if len(columns) == 0:
         raise ValueError(f"the frames hold no {field}: add it to `fields` of [output] in the scene")

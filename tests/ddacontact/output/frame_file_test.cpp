@@ -51,6 +51,8 @@ void expect_same(const Frame& a, const Frame& b) {
   EXPECT_TRUE(same(a.strain_displacement, b.strain_displacement));
   EXPECT_TRUE(same(a.stress_offset, b.stress_offset));
   EXPECT_TRUE(same(a.mean_stress, b.mean_stress));
+  ASSERT_EQ(a.block_values.size(), b.block_values.size());
+  for (const auto& [name, values] : a.block_values) EXPECT_TRUE(same(values, b.block_values.at(name)));
   EXPECT_EQ(a.corner_points, b.corner_points);
   ASSERT_EQ(a.n_cells(), b.n_cells());
   for (std::size_t c = 0; c < a.cells.size(); ++c) {

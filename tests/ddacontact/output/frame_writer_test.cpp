@@ -116,6 +116,16 @@ TEST_F(FrameWriterTest, FramesHoldTheRunsStates) {
   EXPECT_LE((end.velocity.colwise() - Vec2(0, -0.1)).norm(), 1e-10);  // falls freely, 10 m/s2
 }
 
+TEST_F(FrameWriterTest, FramesHoldHowFarBlocksHaveTurned) {
+  Scene scene = falling_block();
+  scene.blocks[0].angular_velocity = 3;
+  const BuiltScene built = build(scene);
+  FrameWriter frames(directory, {});
+  run(*built.stepper, 4);
+  frames.write_last(*built.stepper, built.labels);
+  EXPECT_NEAR(read_frame(read_series(directory)[0]).block_values.at("rotation")[0], 4 * 0.01 * 3, 1e-9);
+}
+
 /// What a divided block stores at its integration points is what its frame tells of its cells.
 TEST_F(FrameWriterTest, CellsOfADividedBlockHoldItsStress) {
   Scene scene = rock_scene(0.01, 5);

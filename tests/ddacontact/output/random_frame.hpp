@@ -39,6 +39,8 @@ inline Frame random_frame(int n_blocks, unsigned seed) {
   frame.strain_displacement = random_points(n, random);
   frame.stress_offset.setZero(3, n_blocks);
   frame.mean_stress = Tensors::NullaryExpr(3, n_blocks, [&] { return uniform(-1e5, 1e5, random); });
+  for (const BlockField& field : block_fields())
+    frame.block_values[field.name] = VectorXd::NullaryExpr(n_blocks, [&] { return uniform(-4, 4, random); });
   frame.velocity.col(0) << -0.0, 5e-324;
   for (int k = 0; k < 2 * n_blocks; ++k) {
     FrameContact contact;

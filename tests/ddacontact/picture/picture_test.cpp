@@ -80,6 +80,19 @@ TEST(Picture, ValuesAtVerticesAndInsideAreThoseOfTheShapeFunctions) {
   }
 }
 
+TEST(Picture, ANumberOfABlockIsThatOfAllItsPoints) {
+  Frame frame = two_blocks();
+  ASSERT_EQ(field_named("rotation"), Field::of_blocks);
+  EXPECT_FALSE(holds(frame, Field::of_blocks));
+  frame.block_values["rotation"] = Eigen::Vector2d(-0.3, 0.2);
+  ASSERT_TRUE(holds(frame, Field::of_blocks));
+  for (const int b : {0, 1})
+    for (const Vec2& x : {Vec2(0, 0), Vec2(0.3, 0.6)})
+      EXPECT_EQ(CellField(frame, b, Field::of_blocks)(x), frame.block_values["rotation"][b]);
+  const std::string svg = draw({{.frame = &frame, .field = Field::of_blocks}}, {});
+  EXPECT_NE(texts(parsed(svg)).find("rotation (mrad)"), std::string::npos) << texts(parsed(svg));
+}
+
 /// Concave blocks are cut to be drawn, divided ones are drawn cell by cell: nothing is missing or doubled.
 TEST(Picture, BlocksOfAnyShapeAreFilled) {
   const Mat2 gradient = (Mat2() << 1e-3, -3e-4, 2e-4, -5e-4).finished();
@@ -211,6 +224,9 @@ TEST(Picture, IsSoundWhateverTheFrameHolds) {
   for (std::size_t i = 0; i < zoo.size(); ++i)
     for (const FieldDescription& field : all_fields()) {
       SCOPED_TRACE(std::to_string(i) + " " + field.name);
+      if (field.field >= Field::of_blocks)
+        for (Frame* frame : {&zoo[i], &zoo[0]})
+          frame->block_values[field.name] = VectorXd::LinSpaced(frame->n_blocks(), -1, 2);
       expect_sound(draw({{.frame = &zoo[i], .field = field.field, .caption = "one"}}, everything()));
       expect_sound(draw({{&zoo[i], field.field, "left", {}, 0}, {&zoo[0], field.field, "right", {}, 1}}, {}));
     }
