@@ -102,6 +102,7 @@ void StepSystem::set_step(const BlockState& state, const StepStart& start, doubl
     blocks_.block(b).begin_step(state, start, steps_[b]);
   });
   work_.own_at.resize(0);
+  diagonal_.resize(0);
   load_forces_ = gravity_forces_ = VectorXd::Zero(blocks_.n_unknowns());
   blocks_.add_loads(
       start.rule.predicts_shape() && blocks_.has_face_loads() ? predicted(blocks_, state, start) : state,
@@ -297,7 +298,11 @@ VectorXd StepSystem::free_path() const {
   return d;
 }
 
+/// Blocks that are carried on by their motions have one matrix for all d.
 void StepSystem::linearize(const VectorXd& d) {
+  const auto is_moved_by_motions = [&](int b) { return step(b).motion() != nullptr; };
+  if (diagonal_.size() > 0 && work_.bolts.empty() && std::ranges::all_of(assembled_, is_moved_by_motions))
+    return;
   diagonal_ = VectorXd::Zero(blocks_.n_unknowns());
   for_all(assembled_.size(), [&](int a) {
     const Block& block = blocks_.block(assembled_[a]);

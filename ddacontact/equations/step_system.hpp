@@ -119,7 +119,8 @@ class StepSystem : public StepProblem {
   VectorXd unknown_lengths_;
   std::vector<char> moves_as_a_whole_;  ///< of all unknowns: one that by itself does not strain its block
   FrictionProblem problem_;
-  VectorXd diagonal_;  ///< of the matrix without contacts, of every unknown
+  /// Of the matrix without contacts, of every unknown; empty: it was not made in this step.
+  VectorXd diagonal_;
   std::vector<FixedPointSpring> fixed_point_springs_;
   std::vector<StepQuietFace> quiet_faces_;
   double fixed_point_stiffness_ = 0;

@@ -209,15 +209,10 @@ bool AugmentedContacts::break_bonds(const VectorXd& d) {
   bool any = false;
   for (std::size_t c = 0; c < size(); ++c) {
     if (!yields(c, d)) continue;
-    contacts_[c].history.bonded = false;
+    contacts_[c].history.bonded = multipliers_[c].bonded = false;
     any = true;
   }
   return any;
-}
-
-void AugmentedContacts::drop_broken_bonds() {
-  for (std::size_t c = 0; c < size(); ++c)
-    multipliers_[c].bonded = multipliers_[c].bonded && contacts_[c].has_bond();
 }
 
 void AugmentedContacts::settle([[maybe_unused]] double negligible) {

@@ -49,10 +49,9 @@ class AugmentedContacts {
   bool are_close(const VectorXd& d, double tolerances, int& worst) const;
   /// Whether a contact that is open is behind its line by no more than gaps of closed ones that stay uncorrected.
   bool hardly_penetrates(std::size_t c, const VectorXd& d) const;
-  /// Breaks the bonds that bear their strength and give way; false: none does.
+  /// Breaks the bonds that bear their strength and give way: they act no more within this step. False: none
+  /// does.
   bool break_bonds(const VectorXd& d);
-  /// Bonds that are broken act no more within this step.
-  void drop_broken_bonds();
   /// Forces and states become those of the contacts.
   /// \param[in] negligible  allowed violation of complementarity, N per m
   void settle(double negligible);

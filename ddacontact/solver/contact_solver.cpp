@@ -168,8 +168,7 @@ struct ContactSolver {
     return scale <= round_off ? round_off : negligible_force * scale;
   }
   int count_disagreeing() const {
-    const double counts = negligible();
-    return static_cast<int>(std::ranges::count_if(off, [&](double by) { return by > counts; }));
+    return static_cast<int>(std::ranges::count_if(off, [n = negligible()](double by) { return by > n; }));
   }
   bool states_agree() const { return count_disagreeing() == 0; }
   /// What the forces of the law may leave where they differ from those of the states: more when these have
@@ -241,9 +240,7 @@ struct ContactSolver {
       if (solutions_of_states == 0) first_of_states = report.residual.block_relative;
     }
     last_block_relative = report.residual.block_relative;
-    std::vector<unsigned char> active(states.size());
-    for (std::size_t c = 0; c < states.size(); ++c) active[c] = states[c] & all_act;
-    if (!system.problem().factorize(contacts.terms(), active, contacts.couplings(states)))
+    if (!system.problem().factorize(contacts.terms(), states, contacts.couplings(states)))
       return leave_active_set();
     system.problem().solve(report.residual.force, correction);
     VectorXd moved = d - correction;
@@ -284,6 +281,7 @@ struct ContactSolver {
     report.interior_solutions += found.solutions;
     begin_states();
     evaluate();
+    system.problem().matrices_changed();  // the last factor has the stiffnesses of that method
     if (!found.found) failure = SolutionStatus::not_positive_definite;
     return found.found;
   }
@@ -291,7 +289,6 @@ struct ContactSolver {
   /// Breaks the bonds that yield within the step; false: none does.
   bool release_bonds() {
     if (!contacts.break_bonds(d)) return false;
-    contacts.drop_broken_bonds();
     before_front = report.augmentations;
     restart();
     return true;

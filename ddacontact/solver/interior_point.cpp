@@ -272,6 +272,7 @@ struct InteriorPoint : EvaluatedContacts {
   /// The matrix with each spring as stiff as its contact's place between its bounds makes it.
   bool factorize() {
     system.linearize(d);
+    system.problem().matrices_changed();
     couplings.clear();
     for (std::size_t c = 0; c < inside.size(); ++c) {
       InteriorContact& i = inside[c];

@@ -70,7 +70,7 @@ class StepProblem {
   /// more than its way over its size. Nothing where held points would not stay where they are.
   virtual std::optional<std::vector<double>> bends(const VectorXd& d, const VectorXd& change) const = 0;
 
-  /// Makes the matrix anew at d.
+  /// Makes the matrix that of d.
   virtual void linearize(const VectorXd& d) = 0;
   /// The matrix, its factor and what is solved with it.
   virtual FrictionProblem& problem() = 0;

@@ -159,7 +159,6 @@ TEST(AugmentedContacts, BondsBreakWhereTheyGiveWayAndNotBefore) {
     block.look(contacts);
     EXPECT_NEAR(contacts.law_force(0).normal, -std::min(pull, 1.) * 1e4, 1);
     EXPECT_EQ(contacts.break_bonds(block.d), pull > 1);
-    contacts.drop_broken_bonds();
     EXPECT_EQ(contacts.is_bonded(0), pull < 1);
     EXPECT_EQ(block.list[0].history.bonded, pull < 1);
   }
