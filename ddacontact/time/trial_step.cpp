@@ -41,20 +41,22 @@ std::string why_rejected(SolutionStatus status, const std::string& between, bool
 /// Finds which contacts meet their edges: the vertex is over the edge, or beyond its end by no more than the
 /// lip, where the predicted motion takes it past the line; if it does not, at the start. Of blocks that meet
 /// something else in the step no motion tells which edges they miss.
+/// \param[in] starts  the contacts where the step begins, not where jumps of velocities let it begin: between
+///                    that place and the end the way is taken as straight
 void find_meeting(const BlockSystem& blocks, const VectorXd& predicted, double lip, const StepImpact& impact,
-                  std::vector<Contact>& contacts) {
-  const bool moves = !predicted.isZero(0);
+                  const std::vector<Contact>& starts, std::vector<Contact>& contacts) {
+  const bool moves = impact.changes() || !predicted.isZero(0);
   std::vector<char> touches(blocks.n_blocks(), 0);
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     Contact& contact = contacts[c];
-    const ContactHistory& history = contact.history;
     const bool hit = impact.changes() && impact.hit[c];
-    const double outside = contact.first_gap().constant - history.gap_offset,
-                 slip = contact.first_slip().constant;
+    const double outside = starts[c].first_gap().constant - contact.history.gap_offset,
+                 slip = starts[c].first_slip().constant;
     double end_gap = outside, end_slip = slip;
     if (moves && !contact.closed()) {
-      const GapAndSlip end = contact.motion.gap_and_slip_at(predicted, history.lock, Directions::of_end);
-      end_gap = end.gap - history.gap_offset;
+      const GapAndSlip end =
+          contact.motion.gap_and_slip_at(predicted, contact.history.lock, Directions::of_end);
+      end_gap = end.gap - contact.history.gap_offset;
       end_slip = end.slip;
     }
     const bool passes = outside > 0 && end_gap < 0;
@@ -63,9 +65,9 @@ void find_meeting(const BlockSystem& blocks, const VectorXd& predicted, double l
     if (contact.closed() || (contact.meets && (hit || end_gap < 0)))
       for (int b : contact.pair.blocks()) touches[b] = blocks.is_movable(b);
   }
-  for (Contact& contact : contacts)
-    if (!contact.meets && (touches[contact.pair.vertex_block] || touches[contact.pair.edge_block]))
-      contact.meets = contact.starts_on_edge();
+  for (std::size_t c = 0; c < contacts.size(); ++c)
+    if (const VertexEdge& pair = contacts[c].pair; touches[pair.vertex_block] || touches[pair.edge_block])
+      contacts[c].meets = contacts[c].meets || starts[c].starts_on_edge();
 }
 
 }  // namespace
@@ -186,6 +188,7 @@ TrialSolution TrialStep::solve_with(double dt, StepImpact impact, const TrialSol
   restart();
   solved_ = true;
   set_dashpots(blocks(), builder_->properties(), dt, contacts_);
+  const std::vector<Contact> unshifted = impact.changes() ? contacts_ : std::vector<Contact>();
   if (impact.changes())
     for (Contact& contact : contacts_) builder_->start_from(from, contact);
   for (std::size_t c = 0; warm_start && c < contacts_.size(); ++c) {
@@ -194,7 +197,8 @@ TrialSolution TrialStep::solve_with(double dt, StepImpact impact, const TrialSol
   }
   if (!is_classic()) {
     VectorXd predicted = predicted_motion(from, dt);
-    find_meeting(blocks(), system_->displacement(predicted), builder_->properties().lip, impact, contacts_);
+    find_meeting(blocks(), system_->displacement(predicted), builder_->properties().lip, impact,
+                 impact.changes() ? unshifted : contacts_, contacts_);
   }
   TrialSolution solution;
   const polyfem::Cholesky& cholesky = system_->problem().cholesky();

@@ -109,6 +109,31 @@ TEST(FlyBy, ToesOnOneFloorDoNotPassUnderEachOther) {
         }
 }
 
+/// A bar and a stone that spin hit each other by a corner of the bar, while a corner of the stone passes the line
+/// of another face of the bar beside it: it was not over that face where it did, and is not pushed back.
+TEST(FlyBy, ACornerThatPassesALineBesideItsFaceIsNotPushedBack) {
+  for (const double time_step : {2.5e-3, 1.25e-3}) {
+    Scene scene = smooth_rock(1, time_step);
+    scene.materials = {{"rock", 2500, 20e9, 0.2}};
+    Points bar(2, 4), stone(2, 12);
+    bar << 0, 0.086, 1.063, 0.977,  //
+        0, -0.391, -0.176, 0.215;
+    stone << -0.321, -0.118, -0.023, -0.061, -0.222, -0.462, -0.718, -0.921, -1.016, -0.979, -0.818, -0.577,
+        -0.342, -0.181, 0.06, 0.316, 0.519, 0.614, 0.576, 0.415, 0.175, -0.081, -0.284, -0.379;
+    scene.blocks = {block(bar), block(stone)};
+    scene.blocks[0].velocity = {-4.64, -1.53};
+    scene.blocks[0].angular_velocity = -12.97;
+    scene.blocks[1].velocity = {3.5, -1.54};
+    scene.blocks[1].angular_velocity = -7.98;
+    const BuiltScene built = build(scene);
+    const double before = built.stepper->energy().now.kinetic;
+    run(*built.stepper, 8);
+    EXPECT_GT(built.stepper->counts().impacts, 0);
+    EXPECT_NEAR(built.stepper->energy().now.kinetic, before, 1e-5 * before);
+    EXPECT_LE(built.stepper->energy().now.pushed_out, 1e-9 * before);
+  }
+}
+
 /// Two held blocks are one ground: a corner that falls on their seam rebounds as it does from one block.
 TEST(Seam, OfHeldBlocksReturnsACornerAsOneBlockDoes) {
   const auto momentum_after = [](bool seam, std::optional<double> restitution, double beside) {
