@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::string_view magic = "polydda checkpoint ";
 /// Of the layout below; to be raised with every change of what a checkpoint holds or of how steps are made.
-constexpr std::uint32_t version = 20;
+constexpr std::uint32_t version = 21;
 constexpr std::uint64_t byte_order = 0x0102030405060708;
 
 /// What stands before the contents.

@@ -194,8 +194,8 @@ constexpr double often = 0.1;
 /// their part of the substeps in which the block slid.
 constexpr long least_changes = 20;
 constexpr double least_unsteady_part = 0.02;
-/// Of the largest energy exchanged.
-constexpr double large_rise = 0.01;
+/// Of the largest energy exchanged. Pushing out is what contacts do within their tolerance too.
+constexpr double large_rise = 0.01, large_push = 0.05;
 /// Stiffness-proportional damping of .3 of critical in the first mode of a block, over the time that a wave
 /// takes through it: doc/decisions.md.
 constexpr double damping_of_transit = 0.2;
@@ -239,11 +239,19 @@ void add_seen(const Stepper& stepper, std::vector<std::string>& warnings) {
         figure(damping_of_transit * transit_time(stepper.blocks().block(b))) +
         " }, or an implicit scheme and a 'time_step' longer than " +
         figure(transit_time(stepper.blocks().block(b))) + " s)");
-  if (stepper.energy().created() > large_rise)
+  const EnergyLedger& energy = stepper.energy();
+  const auto amount = [&](double joules) {
+    return figure(joules) + " J per m, " + std::to_string(std::lround(100 * joules / energy.exchanged())) +
+           " % of the largest energy exchanged, ";
+  };
+  if (energy.created() > large_rise)
     warnings.push_back(
-        "energy rose by " + figure(stepper.energy().created()) +
-        " of the largest exchanged above what loads and supports put in (a smaller 'time_step'; "
-        "\"decaying\" in place of another scheme; \"newmark\" needs a gamma of 0.6)");
+        "energy rose by " + amount(energy.created() * energy.exchanged()) +
+        "above what loads and supports put in (a smaller 'time_step'; \"decaying\" in place of "
+        "another scheme; \"newmark\" needs a gamma of 0.6)");
+  if (energy.has_exchanged() && energy.pushed_at_once() > large_push * energy.exchanged())
+    warnings.push_back("contacts pushed blocks out of each other with " + amount(energy.pushed_at_once()) +
+                       "in one step: nothing has put that in (a smaller 'time_step')");
 }
 
 }  // namespace

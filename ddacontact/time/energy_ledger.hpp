@@ -37,6 +37,10 @@ class EnergyLedger {
   double balance_error() const;
   /// The largest change of any entry since the start, J per m.
   double exchanged() const { return exchanged_; }
+  /// Whether exchanged() is more than what residuals make of the largest energy.
+  bool has_exchanged() const;
+  /// The most that contacts have put in within one step as they pushed penetration out, J per m.
+  double pushed_at_once() const { return pushed_at_once_; }
 
   /// Energy from nowhere: by how much kinetic, elastic, gravity and what friction and damping took rose above
   /// the work of loads and supports at most, beyond what is tolerated, over the largest energy exchanged; 0
@@ -49,11 +53,9 @@ class EnergyLedger {
   static void visit_numbers(Ledger& ledger, Visit&& visit) {
     for (auto* energy : {&ledger.now, &ledger.start_})
       for (double Energy::*entry : entries) visit(energy->*entry);
-    visit(ledger.exchanged_);
-    visit(ledger.largest_);
-    visit(ledger.tolerated_);
-    visit(ledger.created_);
-    visit(ledger.created_last_);
+    for (auto* number : {&ledger.exchanged_, &ledger.largest_, &ledger.tolerated_, &ledger.created_,
+                         &ledger.created_last_, &ledger.pushed_at_once_, &ledger.pushed_before_})
+      visit(*number);
   }
 
  private:
@@ -68,11 +70,9 @@ class EnergyLedger {
                                                 &Energy::plastic_dissipated};
 
   Energy start_;
-  bool has_exchanged() const;
-
-  double exchanged_ = 0, largest_ = 0;
-  double tolerated_ = 0;
-  double created_ = 0, created_last_ = 0;  ///< at most, and as the last step ended, J per m
+  double exchanged_ = 0, largest_ = 0, tolerated_ = 0;
+  double created_ = 0, created_last_ = 0;          ///< at most, and as the last step ended, J per m
+  double pushed_at_once_ = 0, pushed_before_ = 0;  ///< at most in a step, and until the last one, J per m
 };
 
 }  // namespace ddacontact
