@@ -54,6 +54,10 @@ double FactorDistribution::mean() const {
   return std::accumulate(factors.begin(), factors.end(), 0.0) / static_cast<double>(factors.size());
 }
 
+double FactorDistribution::median() const {
+  return (factors[(factors.size() - 1) / 2] + factors[factors.size() / 2]) / 2;
+}
+
 double FactorDistribution::standard_deviation() const {
   if (factors.size() < 2) return 0;
   double squares = 0;
@@ -78,15 +82,16 @@ FactorDistribution distribution_of(const std::vector<std::string>& low,
                                    const std::vector<std::string>& high) {
   FactorDistribution found;
   for (std::size_t k = 0; k < low.size(); ++k) {
-    if (!low[k].empty() && !high[k].empty())
-      found.factors.push_back((std::strtod(low[k].c_str(), nullptr) + std::strtod(high[k].c_str(), nullptr)) /
-                              2);
-    else if (!high[k].empty())
-      ++found.n_always;
-    else if (!low[k].empty())
-      ++found.n_never;
-    else
+    const double rests_at = std::strtod(low[k].c_str(), nullptr),
+                 moves_at = std::strtod(high[k].c_str(), nullptr);
+    if (low[k].empty() && high[k].empty())
       ++found.n_unknown;
+    else if (!low[k].empty() && !high[k].empty())
+      found.factors.push_back((rests_at + moves_at) / 2);
+    else if (low[k].empty())
+      ++(moves_at <= 1 ? found.n_always : found.n_move_above);
+    else
+      ++(rests_at >= 1 ? found.n_never : found.n_rest_below);
   }
   std::ranges::sort(found.factors);
   return found;
@@ -106,22 +111,34 @@ std::string describe(const FactorDistribution& distribution) {
     lines += text(
                  "factor of safety of %zu cases: median %.4g, mean %.4g, standard deviation %.2g, from %.4g "
                  "to %.4g\n",
-                 factors.size(), quantile(factors, 0.5), distribution.mean(),
+                 factors.size(), distribution.median(), distribution.mean(),
                  distribution.standard_deviation(), factors.front(), factors.back()) +
              histogram(factors);
-  if (distribution.n_always > 0) lines += text("%d cases move at every factor\n", distribution.n_always);
-  if (distribution.n_never > 0) lines += text("%d cases rest at every factor\n", distribution.n_never);
+  const auto tell = [&](int n, const char* what) {
+    if (n > 0) lines += text("%d cases %s\n", n, what);
+  };
+  tell(distribution.n_always, "move at every factor that was tried");
+  tell(distribution.n_never, "rest at every factor that was tried");
+  tell(distribution.n_move_above, "move at every factor with a verdict, all of them above 1");
+  tell(distribution.n_rest_below, "rest at every factor with a verdict, all of them below 1");
+  const int failing = distribution.n_failing(), n_cases = distribution.n_cases();
+  if (const int n = distribution.n_undecided(); n > 0)
+    return lines +
+           text(
+               "probability of failure (factor below 1): %d to %d of %d cases (a --range from below 1 to "
+               "above it)\n",
+               failing, failing + n, n_cases) +
+           unknown;
   return lines +
-         text("probability of failure (factor below 1): %d of %d cases, %.3g +- %.2g\n",
-              distribution.n_failing(), distribution.n_cases(), distribution.probability_of_failure(),
-              distribution.standard_error()) +
+         text("probability of failure (factor below 1): %d of %d cases, %.3g +- %.2g\n", failing, n_cases,
+              distribution.probability_of_failure(), distribution.standard_error()) +
          unknown;
 }
 
 std::string draw(const FactorDistribution& distribution) {
   if (distribution.factors.empty()) throw Error("no case has a factor of safety to be drawn");
   Series steps{.name = "part of the cases", .x = {}, .y = {}};
-  int below = distribution.n_always;
+  int below = distribution.n_always + distribution.n_move_above;
   for (const double f : distribution.factors) {
     if (f > quantile(distribution.factors, high_part)) break;
     for (const int more : {0, 1}) {

@@ -28,7 +28,23 @@ TEST(FactorDistribution, CountsCasesThatAlwaysOrNeverMove) {
   EXPECT_EQ(found.n_cases(), 3);
   EXPECT_EQ(found.n_failing(), 1);
   EXPECT_EQ(found.n_unknown, 1);
-  EXPECT_NE(describe(found).find("without a factor, and counted nowhere: 1 of the cases"), std::string::npos) << describe(found);
+  EXPECT_NE(describe(found).find("without a factor, and counted nowhere: 1 of the cases"), std::string::npos)
+      << describe(found);
+}
+
+/// What rests up to 0.9, or moves from 1.2 on, may fail or not.
+TEST(FactorDistribution, SaysNothingOfOneWhereAllFactorsWereOnOneSideOfIt) {
+  const FactorDistribution found = distribution_of({"0.63", "0.9", "", "1"}, {"0.63", "", "1.2", ""});
+  EXPECT_EQ(found.n_move_above, 1);
+  EXPECT_EQ(found.n_rest_below, 1);
+  EXPECT_EQ(found.n_failing(), 1);
+  EXPECT_EQ(found.n_cases(), 4);
+  EXPECT_NE(describe(found).find("1 to 3 of 4 cases"), std::string::npos) << describe(found);
+}
+
+TEST(FactorDistribution, HasTheMeanOfTheTwoMiddleOnesAsMedian) {
+  EXPECT_DOUBLE_EQ(distribution_of({"1.4", "0.6"}, {"1.4", "0.6"}).median(), 1);
+  EXPECT_DOUBLE_EQ(distribution_of({"1.4", "0.6", "0.7"}, {"1.4", "0.6", "0.7"}).median(), 0.7);
 }
 
 TEST(FactorDistribution, IsDescribedAndDrawn) {
