@@ -6,9 +6,9 @@ namespace ddacontact {
 
 namespace {
 
-/// A force that yields is at its bound up to round-off.
+/// A force that yields is at its bound up to round-off, of positions too: the elongation is their difference.
 bool reaches(double force, double bound) {
-  constexpr double round_off = 1e-12;
+  constexpr double round_off = 1e-9;
   return std::abs(force) >= (1 - round_off) * bound;
 }
 
