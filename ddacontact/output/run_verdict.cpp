@@ -194,8 +194,8 @@ constexpr double often = 0.1;
 /// their part of the substeps in which the block slid.
 constexpr long least_changes = 20;
 constexpr double least_unsteady_part = 0.02;
-/// Of the largest energy exchanged. Pushing out is what contacts do within their tolerance too.
-constexpr double large_rise = 0.01, large_push = 0.05;
+/// Of the largest energy exchanged.
+constexpr double large_rise = 0.01, large_push = 0.1;
 /// Stiffness-proportional damping of .3 of critical in the first mode of a block, over the time that a wave
 /// takes through it: doc/decisions.md.
 constexpr double damping_of_transit = 0.2;

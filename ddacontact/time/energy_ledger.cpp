@@ -19,7 +19,7 @@ void EnergyLedger::close_step(double tolerated) {
       (now.total() - now.numerical_dissipated) - (start_.total() - start_.numerical_dissipated);
   created_ = std::max(created_, std::min(created, created_last_) - tolerated_);
   created_last_ = created;
-  pushed_at_once_ = std::max(pushed_at_once_, now.pushed_out - pushed_before_);
+  pushed_at_once_ = std::max(pushed_at_once_, now.pushed_out - pushed_before_ - tolerated);
   pushed_before_ = now.pushed_out;
 }
 

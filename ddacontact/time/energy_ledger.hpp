@@ -39,7 +39,8 @@ class EnergyLedger {
   double exchanged() const { return exchanged_; }
   /// Whether exchanged() is more than what residuals make of the largest energy.
   bool has_exchanged() const;
-  /// The most that contacts have put in within one step as they pushed penetration out, J per m.
+  /// The most that contacts have put in within one step as they pushed penetration out, beyond what is
+  /// tolerated, J per m.
   double pushed_at_once() const { return pushed_at_once_; }
 
   /// Energy from nowhere: by how much kinetic, elastic, gravity and what friction and damping took rose above

@@ -137,6 +137,16 @@ TEST(EnergyLedger, EnergyFromNowhereIsAPartOfTheLargestExchange) {
   EXPECT_NEAR(ledger.created(), 0.01, 1e-3);
 }
 
+TEST(EnergyLedger, KnowsTheMostThatIsPushedOutInOneStep) {
+  EnergyLedger ledger;
+  ledger.start();
+  for (const double pushed : {1., 4., 4., 6.}) {
+    ledger.now.pushed_out = pushed;
+    ledger.close_step(0.5);
+  }
+  EXPECT_EQ(ledger.pushed_at_once(), 4 - 1 - 0.5);
+}
+
 /// A square is thrown along the floor, bounces on a corner, slides and hits another one; damping acts
 /// throughout.
 TEST(EnergyLedger, OfEverythingAtOnceCloses) {
