@@ -36,8 +36,8 @@ struct SeenStep {
 ///   shorter than a pressure wave takes through the block. Longer ones damp its vibrations, in shorter ones
 ///   friction feeds them, and the block does not slide as a rigid one does.
 /// - corners caught on steps of joints that were flush.
-/// Energy that rises, or is pushed out at once, is told from the ledger. All of it is part of what a run carries on; `warnings_of` words
-/// it.
+/// Energy that rises, or is pushed out at once, is told from the ledger. All of it is part of what a run carries
+/// on; `warnings_of` words it.
 struct RunWarnings {
   explicit RunWarnings(int n_blocks = 0) : slid(n_blocks, 0), unsteady(n_blocks, 0) {}
 
