@@ -1,8 +1,4 @@
-#include <polyfem/basis/wachspress.hpp>
 #include <polyfem/element/definiteness.hpp>
-#include <polyfem/element/matrices.hpp>
-#include <polyfem/material/linear_elastic.hpp>
-#include <tests/support/random_polygon.hpp>
 
 #include <gtest/gtest.h>
 
@@ -45,35 +41,6 @@ TEST(CompareEnergies, FindsTheLeastAndTheLargestOfAllDeformations) {
   EXPECT_NEAR(energy.largest, 2, 1e-12);
   EXPECT_NEAR(compare_energies(diagonal({0, 0, 0, 1, 0, 1e6}), reference).least, 0, 1e-12) << "a mechanism";
   EXPECT_TRUE(std::isnan(compare_energies(reference, diagonal({0, 0, 0, 0, -1, 1})).least));
-}
-
-class SoundnessOfElements : public testing::TestWithParam<int> {
- protected:
-  Definiteness judge_with(const TriangleRule& rule) {
-    TabulatedElement element;
-    MatrixXd K, M;
-    tabulate(support::random_convex_polygon(GetParam(), random_), rule, wachspress, GradientCorrection::on,
-             element);
-    stiffness(element, elasticity_matrix(1, 0.3, Plane::strain), K);
-    mass(element, M);
-    return judge(K, M);
-  }
-  std::mt19937 random_{static_cast<unsigned>(GetParam())};
-};
-INSTANTIATE_TEST_SUITE_P(Vertices, SoundnessOfElements, testing::Values(3, 4, 5, 6, 8, 12));
-
-TEST_P(SoundnessOfElements, HoldsWithAFineRule) {
-  const TriangleRule rule = collapsed_gauss_rule(6, 6);
-  for (int trial = 0; trial < 40; ++trial) {
-    const Definiteness definiteness = judge_with(rule);
-    EXPECT_EQ(definiteness.zero_modes, 3);
-    EXPECT_GT(definiteness.least_stiffness, 1e-6);
-    EXPECT_GT(definiteness.least_mass, 1e-6);
-  }
-}
-
-TEST_P(SoundnessOfElements, HasThreeZeroModesWithThePapersRule) {
-  for (int trial = 0; trial < 40; ++trial) EXPECT_EQ(judge_with(hammer_rule(3)).zero_modes, 3);
 }
 
 }  // namespace

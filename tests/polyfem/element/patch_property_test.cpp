@@ -1,6 +1,6 @@
 // The patch test of every rule, basis and correction, on cells of every kind, near the origin and far from
 // it: the weights sum to the area, and a linear displacement field has its constant stress at every
-// integration point and its tractions as nodal forces. The forces need the gradient correction; without it
+// integration point and its tractions as nodal forces, a rotation none. The forces need the gradient correction; without it
 // their errors are those of the rule, recorded as a property of the test.
 #include <polyfem/basis/mean_value.hpp>
 #include <polyfem/basis/wachspress.hpp>
@@ -153,10 +153,11 @@ Residuals patch_residuals(const Points& polygon, const TabulatedElement& element
   Residuals worst;
   worst.area = std::abs(element.rule.weights.sum() / signed_area(local) - 1);
   worst.zero_modes = judge(K, M).zero_modes;
-  Mat2 gradients[3];
+  Mat2 gradients[4];
   gradients[0] << 1, 0, 0, 0;
   gradients[1] << 0, 0, 0, 1;
   gradients[2] << 0, 0.3, 0.7, 0;
+  gradients[3] << 0, -1, 1, 0;
   for (const Mat2& G : gradients) {
     const Points u = G * local;
     const VectorXd d = u.reshaped();
