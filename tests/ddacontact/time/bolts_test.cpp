@@ -248,30 +248,6 @@ TEST(Bolts, MayBePulledOutOfBothBlocksAtOnce) {
   expect_closed(*built.stepper);
 }
 
-TEST(Bolts, GoOnFromARecordBitForBit) {
-  Scene scene = grouted_pair();
-  scene.analysis.mode = Mode::dynamic;
-  scene.analysis.time_step = 0.002;
-  scene.analysis.gravity = {20, -10};
-  scene.joints[0].friction_angle = 30;
-  scene.bolts[0].yield_force = 15e3;
-  scene.bolts[0].bond_strength = 20e3;
-  scene.bolts.push_back(steel_bolt({1, 0.2}, {3, 0.8}));
-  scene.bolts.back().name = "b2";
-  scene.bolts.back().yield_force = 12e3;
-  for (const Scheme scheme : {Scheme::midpoint, Scheme::decaying}) {
-    scene.analysis.scheme = scheme;
-    const BuiltScene whole = build(scene), resumed = build(scene);
-    run(*whole.stepper, 20);
-    const std::string record = to_bytes(whole.stepper->run_record());
-    resumed.stepper->restore(run_record_from(record));
-    run(*whole.stepper, 20);
-    run(*resumed.stepper, 20);
-    EXPECT_GT(whole.stepper->energy().now.plastic_dissipated, 0);
-    EXPECT_TRUE(to_bytes(whole.stepper->run_record()) == to_bytes(resumed.stepper->run_record()));
-  }
-}
-
 TEST(Bolts, DoNotDependOnTheOrderOfBlocksAndBolts) {
   Scene scene = grouted_pair();
   scene.analysis.mode = Mode::dynamic;

@@ -1,6 +1,7 @@
 // Scenes drawn by lot, run in stages drawn by lot: what is carried on is all that a step depends on.
 
 #include <ddacontact/scene/builder.hpp>
+#include <polyfem/geometry/area_moments.hpp>
 #include <tests/support/any_drops.hpp>
 #include <tests/support/random_scenes.hpp>
 
@@ -14,10 +15,19 @@ using namespace support;
 
 namespace {
 
-/// Three to five stages of a few steps: other steps, schemes, modes, joints, blocks.
+/// Three to five stages of a few steps: other steps, schemes, modes, joints, blocks. Forces of blocks taken
+/// out may decrease, and a block and a load may come in later.
 void divide_into_stages(Scene& scene, std::mt19937& random) {
   const auto below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
   const int n_stages = 3 + below(3);
+  Load load{"",
+            Load::Kind::body,
+            static_cast<int>(scene.blocks.size()) - 1,
+            Vec2::Zero(),
+            0,
+            {TimeFunction::Kind::constant, {2e3, 1e3}, {}}};
+  load.force.rise = 0.01;
+  scene.loads = {load};
   std::vector<int> left(scene.blocks.size());
   for (std::size_t b = 0; b < left.size(); ++b) left[b] = static_cast<int>(b);
   for (int k = 0; k < n_stages; ++k) {
@@ -37,9 +47,31 @@ void divide_into_stages(Scene& scene, std::mt19937& random) {
       const int b = below(static_cast<int>(left.size()));
       stage.removed.push_back(left[static_cast<std::size_t>(b)]);
       left.erase(left.begin() + b);
+      if (k > 0 && below(2) == 0) stage.relax = 1 + below(stage.analysis.steps);
     }
+    if (k == 1 && below(2) == 0) stage.loads = {0};
+    if (k == 1 && below(2) == 0 && scene.bolts.empty()) stage.added = {left.back()};
     scene.stages.push_back(stage);
   }
+}
+
+/// A bolt through the last two blocks that soon yields, and one that is drawn out of them.
+void bolt_together(Scene& scene) {
+  const std::size_t n = scene.blocks.size();
+  RockBolt bolt;
+  bolt.from = polyfem::area_moments(scene.blocks[n - 2].vertices).centroid;
+  const polyfem::AreaMoments last = polyfem::area_moments(scene.blocks[n - 1].vertices);
+  bolt.to = last.centroid;
+  const double weight = 10 * scene.materials[0].density * last.area, length = (bolt.to - bolt.from).norm();
+  bolt.name = "anchored";
+  bolt.area = 1e-4 * last.area;
+  bolt.young = 2e11;
+  bolt.yield_force = 0.1 * weight;
+  scene.bolts = {bolt, bolt};
+  scene.bolts[1].name = "grouted";
+  scene.bolts[1].kind = RockBolt::Kind::grouted;
+  scene.bolts[1].bond_stiffness = 1e3 * weight / (length * length);
+  scene.bolts[1].bond_strength = 0.1 * weight / length;
 }
 
 /// Steps until all are made or one cannot be made.
@@ -91,6 +123,7 @@ TEST(RunRecord, GoesOnToTheBitInRandomStagesOfRandomScenes) {
       block.model = models[seed % (scene.analysis.kinematics == Kinematics::corotational ? 4 : 2)];
       block.mesh.cells = 9;
     }
+    if (seed % 5 == 3) bolt_together(scene);
     expect_resumable(scene, random);
   }
 }

@@ -274,34 +274,6 @@ TEST_F(APillarTakenOut, AtOnceLetsTheBeamGoTwiceAsFarAsWhenItsForceRelaxes) {
   }
 }
 
-TEST(RunRecord, GoesOnAtAnyStepOfAnyStageToTheBit) {
-  Scene scene = beam_scene();
-  scene.blocks[3].velocity = Vec2(0.5, 0);
-  scene.stages = {scene.stage("slide"), settling(scene, 3), scene.stage("released")};
-  scene.stages[0].analysis.steps = 5;
-  scene.stages[2].analysis.steps = 12;
-  scene.stages[2].removed = {1};
-  scene.stages[2].relax = 8;
-  scene.blocks.push_back(block(rectangle(1, 2, 1, 1)));
-  scene.loads = {point_load(3, Vec2(2, 2), constant({0, -10e3}))};
-  scene.loads[0].force.rise = 0.1;
-  scene.stages[1].loads = {0};
-  scene.stages[1].added = {4};
-  BuiltScene whole = build(scene);
-  std::vector<std::string> records{to_bytes(whole.stepper->run_record())};
-  for (int k = 0; k < scene.n_steps(); ++k) {
-    run(*whole.stepper, 1);
-    records.push_back(to_bytes(whole.stepper->run_record()));
-  }
-  for (std::size_t k = 0; k < records.size(); k += 3) {
-    BuiltScene warm_start = build(scene);
-    warm_start.stepper->restore(run_record_from(records[k]));
-    EXPECT_TRUE(to_bytes(warm_start.stepper->run_record()) == records[k]);
-    run(*warm_start.stepper, static_cast<int>(records.size() - 1 - k));
-    EXPECT_TRUE(to_bytes(warm_start.stepper->run_record()) == records.back()) << "from step " << k;
-  }
-}
-
 TEST(RunRecord, RefusesOtherBytes) {
   BuiltScene built = build(slope_scene(30, 20));
   const std::string bytes = to_bytes(built.stepper->run_record());
