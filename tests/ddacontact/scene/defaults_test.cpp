@@ -5,60 +5,6 @@ namespace {
 using namespace example_scenes;
 using namespace ddacontact;
 
-TEST(Defaults, OfTheDefaultPreset) {
-  const Scene scene = scene_of(minimal);
-  const AnalysisOptions& analysis = scene.analysis;
-  EXPECT_EQ(analysis.preset, Preset::standard);
-  EXPECT_EQ(analysis.mode, Mode::dynamic);
-  EXPECT_EQ(analysis.gravity, Vec2(0, -9.8));
-  EXPECT_EQ(analysis.plane, Plane::strain);
-  EXPECT_EQ(analysis.block_model, BlockModel::automatic);
-  EXPECT_EQ(analysis.mesh, MeshOptions{});
-  EXPECT_EQ(analysis.mesh.cells, 64);
-  EXPECT_EQ(analysis.mesh.kind, CellKind::by_shape);
-  EXPECT_TRUE(analysis.mesh.edge_nodes);
-  EXPECT_EQ(analysis.kinematics, Kinematics::corotational);
-  EXPECT_EQ(analysis.scheme, Scheme::decaying);
-  EXPECT_EQ(analysis.damping.mass, 0);
-  EXPECT_EQ(analysis.damping.stiffness, 0);
-  EXPECT_EQ(analysis.gradient_correction, GradientCorrection::on);
-  EXPECT_EQ(analysis.cutting_factor, 0.5);
-  EXPECT_EQ(analysis.max_displacement_ratio, 0.1);
-  EXPECT_EQ(scene.contact.method, ContactMethod::staged);
-  EXPECT_EQ(scene.contact.normal_stiffness, 40e9);
-  EXPECT_EQ(scene.contact.tangential_stiffness, 16e9);
-  EXPECT_EQ(scene.contact.penetration_tolerance, 1e-6);
-  ASSERT_EQ(scene.joints.size(), 1u);
-  EXPECT_EQ(scene.joints[0].name, "default");
-  EXPECT_EQ(scene.joints[0].friction_angle, 0);
-  EXPECT_EQ(scene.joints[0].cohesion, 0);
-  EXPECT_EQ(scene.joints[0].tensile_strength, 0);
-  EXPECT_EQ(scene.joints[0].restitution, std::nullopt);
-  EXPECT_EQ(scene.joints[0].dashpot, 0);
-  EXPECT_FALSE(scene.joints[0].between);
-  EXPECT_EQ(scene.blocks[0].model, BlockModel::automatic);
-  EXPECT_EQ(scene.blocks[0].mesh, MeshOptions{});
-  EXPECT_FALSE(scene.blocks[0].fixed);
-  EXPECT_EQ(scene.output.every, 1);
-  EXPECT_EQ(scene.output.checkpoint_every, 0);
-  EXPECT_EQ(scene.block_name(0), "0");
-  EXPECT_EQ(scene.end_time(), 0.01);
-}
-
-TEST(Defaults, OfThePaperPreset) {
-  const Scene scene = scene_of(minimal, {"analysis.preset=paper"});
-  EXPECT_EQ(scene.analysis.preset, Preset::paper);
-  EXPECT_EQ(scene.analysis.kinematics, Kinematics::incremental);
-  EXPECT_EQ(scene.analysis.scheme, Scheme::dda);
-  EXPECT_EQ(scene.analysis.gradient_correction, GradientCorrection::off);
-  EXPECT_EQ(scene.analysis.block_model, BlockModel::wachspress);
-  EXPECT_EQ(scene.blocks[0].model, BlockModel::wachspress);
-  EXPECT_EQ(scene.analysis.cutting_factor, 0.3);
-  EXPECT_EQ(scene.contact.method, ContactMethod::classic);
-  EXPECT_EQ(scene.contact.penetration_tolerance, 0);
-  EXPECT_EQ(scene.contact.normal_stiffness, 40e9);
-}
-
 TEST(Defaults, KeysWrittenOutWinOverThePreset) {
   const Scene scene = scene_of(
       minimal, {"analysis.preset=paper", "analysis.gradient_correction=true", "analysis.block_model=affine",

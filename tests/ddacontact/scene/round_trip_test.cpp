@@ -71,6 +71,12 @@ TEST(RoundTrip, StatesEveryDefault) {
                            "preset = \"default\"",
                            "block_model = \"auto\"",
                            "model = \"auto\"",
+                           "mode = \"dynamic\"",
+                           "plane = \"strain\"",
+                           "max_displacement_ratio = 0.1",
+                           "cohesion = 0.0",
+                           "tensile_strength = 0.0",
+                           "checkpoint_every = 0",
                            "mesh = { kind = \"auto\", cells = 64, edge_nodes = true }",
                            "gradient_correction = true",
                            "cutting_factor = 0.5",
@@ -93,6 +99,15 @@ TEST(RoundTrip, StatesEveryDefault) {
     EXPECT_NE(text.find(std::string(line) + '\n'), std::string::npos) << line << " in\n" << text;
   EXPECT_EQ(text.find("beta ="), std::string::npos) << "a key of another scheme is no default";
   EXPECT_EQ(text.find("mesh ="), text.rfind("mesh =")) << "a block says what differs from the analysis";
+}
+
+TEST(RoundTrip, StatesTheDefaultsOfThePaper) {
+  const std::string text = written(scene_of(minimal, {"analysis.preset=paper"}));
+  for (const char* line : {"preset = \"paper\"", "block_model = \"wachspress\"", "model = \"wachspress\"",
+                           "kinematics = \"incremental\"", "scheme = \"dda\"", "gradient_correction = false",
+                           "cutting_factor = 0.3", "method = \"classic\"", "penetration_tolerance = 0.0",
+                           "normal_stiffness = 4e+10"})
+    EXPECT_NE(text.find(std::string(line) + '\n'), std::string::npos) << line << " in\n" << text;
 }
 
 TEST(RoundTrip, KeepsTheMechanics) {
