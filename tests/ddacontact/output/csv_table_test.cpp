@@ -34,14 +34,18 @@ class Tables : public testing::Test {
 TEST_F(Tables, WhatIsWrittenIsReadBack) {
   const std::string awkward = "a \"quoted\", two\nlines";
   CsvFile csv(path_.string(), "name,value,count");
-  csv.row(awkward, 0.1 + 0.2, 3);
-  csv.row(std::string(), -1e-300, -7);
+  const std::vector<double> numbers{
+      0.1 + 0.2, -0., -1e-300, 5e-324, 1e-323, 1.7976931348623157e308, 1. / 3, 1e23, 123456789012345678.};
+  csv.row(awkward, numbers[0], 3);
+  for (std::size_t k = 1; k < numbers.size(); ++k) csv.row(std::string(), numbers[k], -7);
   csv.close();
   const CsvTable table(path_);
-  ASSERT_EQ(table.n_rows(), 2u);
-  EXPECT_EQ(table.texts("name"), (std::vector<std::string>{awkward, ""}));
-  EXPECT_EQ(table.numbers("value"), (std::vector<double>{0.1 + 0.2, -1e-300}));
-  EXPECT_EQ(table.numbers("count"), (std::vector<double>{3, -7}));
+  ASSERT_EQ(table.n_rows(), numbers.size());
+  EXPECT_EQ(table.texts("name")[0], awkward);
+  EXPECT_EQ(table.texts("name")[1], "");
+  EXPECT_EQ(table.numbers("value"), numbers);
+  EXPECT_EQ(table.numbers("count")[0], 3);
+  EXPECT_EQ(table.numbers("count")[1], -7);
 }
 
 TEST_F(Tables, WhatIsWrongIsNamed) {
