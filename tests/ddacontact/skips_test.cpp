@@ -144,11 +144,11 @@ TEST_P(Skip, HasNoEffectOnManyHeldBlocks) {
 }
 
 std::string name_of(const testing::TestParamInfo<bool Skips::*>& skip) {
-  return std::array{"FrictionRows", "Congruent", "FixedBlocks", "UnchangedFactor"}[skip.index];
+  return std::array{"FrictionRows", "Congruent", "FixedBlocks", "UnchangedFactor", "Skin"}[skip.index];
 }
 INSTANTIATE_TEST_SUITE_P(OfTheSameBits, Skip,
                          testing::Values(&Skips::friction_rows, &Skips::congruent, &Skips::fixed_blocks,
-                                         &Skips::unchanged_factor),
+                                         &Skips::unchanged_factor, &Skips::skin),
                          name_of);
 
 /// Open-close iterations solve the same matrix again; the default mechanics turns it with the blocks first.
