@@ -83,19 +83,3 @@ TEST(AffineBlock, UnknownsOfControlVerticesAreTheirDisplacements) {
   }
   EXPECT_EQ(one.block().unknown_lengths(), VectorXd::Ones(6));
 }
-
-TEST(AffineBlock, StrainDisplacementIsItsUniformStress) {
-  std::mt19937 random(29);
-  const Points outline = support::random_convex_polygon(6, random);
-  AffineBlockAtRest one(outline);
-  one.state.stress.col(0) << 3e4, -2e4, 1e4;
-  const Points w = one.block().strain_displacement(one.state);
-  polyfem::ShapeValues shape;
-  for (int k = 0; k < 20; ++k) {
-    polyfem::wachspress(outline, support::random_point_in(outline, random), shape);
-    const Mat2 gradient = w * shape.gradients.transpose();
-    const Vec3 stress =
-        material.elasticity * Vec3(gradient(0, 0), gradient(1, 1), gradient(0, 1) + gradient(1, 0));
-    EXPECT_LE((stress - one.state.stress.col(0)).norm(), 1e-10 * 3e4);
-  }
-}

@@ -109,21 +109,11 @@ class BlockModels : public testing::TestWithParam<Model> {
   }
 };
 
+std::string name_of(const testing::TestParamInfo<Model>& model) {
+  return std::array{"vertex", "vertex_uncorrected", "affine"}[model.index];
+}
 INSTANTIATE_TEST_SUITE_P(All, BlockModels,
-                         testing::Values(Model::vertex, Model::vertex_uncorrected, Model::affine,
-                                         Model::affine_by_vertices),
-                         [](const auto& parameter) -> std::string {
-                           switch (parameter.param) {
-                             case Model::vertex:
-                               return "vertex";
-                             case Model::vertex_uncorrected:
-                               return "vertex_uncorrected";
-                             case Model::affine:
-                               return "affine";
-                             default:
-                               return "affine_by_vertices";
-                           }
-                         });
+                         testing::Values(Model::vertex, Model::vertex_uncorrected, Model::affine), name_of);
 
 }  // namespace
 
