@@ -1,4 +1,4 @@
-/// \file Mohr-Coulomb against its formula, and its derivative against differences.
+/// \file The derivative of the shear bound against differences; the bound itself is in spring_law_test.
 #include <ddacontact/contact/joint_law.hpp>
 
 #include <gtest/gtest.h>
@@ -15,24 +15,6 @@ double rate_by_differences(const JointLaw& law, double normal, bool bonded) {
   return (shear_bound(law, normal + step, bonded) - shear_bound(law, normal - step, bonded)) / (2 * step);
 }
 
-TEST(JointLaw, BoundIsFrictionAndTheCohesionOfBonds) {
-  const JointLaw law{.friction = 0.6, .cohesion = 50};
-  EXPECT_DOUBLE_EQ(shear_bound(law, 200, false), 120);
-  EXPECT_DOUBLE_EQ(shear_bound(law, 200, true), 170);
-  EXPECT_DOUBLE_EQ(shear_bound(law, -10, true), 50);
-  EXPECT_DOUBLE_EQ(shear_bound(law, -10, false), 0);
-  EXPECT_DOUBLE_EQ(shear_bound({}, 200, true), 0);
-}
-
-TEST(JointLaw, ALawOfOnesOwnTakesThePlaceOfFriction) {
-  const FrictionLaw root = [](double normal) { return std::sqrt(normal); };
-  const JointLaw law{.friction = 0.6, .friction_law = &root, .cohesion = 5};
-  EXPECT_TRUE(law.has_friction());
-  EXPECT_DOUBLE_EQ(shear_bound(law, 100, false), 10);
-  EXPECT_DOUBLE_EQ(shear_bound(law, 100, true), 15);
-  EXPECT_NEAR(friction_rate(law, 100, false), 0.05, 1e-6);
-}
-
 TEST(JointLaw, RateIsTheDerivativeOfTheBound) {
   const JointLaw law{.friction = 0.6, .cohesion = 50};
   for (const bool bonded : {false, true})
@@ -42,12 +24,9 @@ TEST(JointLaw, RateIsTheDerivativeOfTheBound) {
   EXPECT_EQ(friction_rate(law, -10, true), 0);
   EXPECT_EQ(rate_by_differences(law, -10, true), 0);
   EXPECT_DOUBLE_EQ(friction_rate(law, -10, false), 0.6);
-}
 
-TEST(JointLaw, FrictionlessIsWhatBearsNoShear) {
-  EXPECT_TRUE(JointLaw{}.frictionless());
-  EXPECT_FALSE(JointLaw{.friction = 0.1}.frictionless());
-  EXPECT_FALSE(JointLaw{.cohesion = 1}.frictionless());
+  const FrictionLaw root = [](double normal) { return std::sqrt(normal); };
+  EXPECT_NEAR(friction_rate({.friction = 0.6, .friction_law = &root}, 100, false), 0.05, 1e-6);
 }
 
 }  // namespace
