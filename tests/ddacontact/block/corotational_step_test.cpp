@@ -177,18 +177,6 @@ TEST_P(CorotationalSteps, ChangesTurnTheBlockByWhatIsRigidInThem) {
   EXPECT_LE((little - unknowns(before - y0) - change).norm(), 1e-8);
 }
 
-/// v + dt a under a constant acceleration, which stays.
-TEST_P(CorotationalSteps, UniformAccelerationEndsExactly) {
-  velocity = nodes.everywhere({3, -1});
-  acceleration = nodes.everywhere({2, -10});
-  for (const StepRule& rule : {newmark(), rule_of(Scheme::dda), rule_of(Scheme::midpoint)}) {
-    const auto step = begin(rule);
-    const auto end = step.end(dt * velocity + dt * dt / 2 * acceleration);
-    EXPECT_LE((end.velocity - velocity - dt * acceleration).norm(), 1e-11);
-    EXPECT_LE((end.acceleration - acceleration).norm(), 1e-9);
-  }
-}
-
 /// Whatever the displacements: the momentum that the forces have given, damping of the mass taken off; of
 /// forces at the middle the moment of momentum too.
 TEST_P(CorotationalSteps, MomentaAreThoseOfTheForces) {

@@ -106,24 +106,6 @@ TEST(TrialStep, AStaticStepKnowsNoVelocitiesAndLeavesNone) {
   }
 }
 
-/// It meets the plate in the middle of the step and returns with half of its speed.
-TEST(TrialStep, AnImpactWithinTheStepTurnsTheMotion) {
-  for (const Scheme scheme : {Scheme::decaying, Scheme::midpoint})
-    for (const double restitution : {0., 0.5, 1.}) {
-      Scene scene = above_a_plate(scheme, 0.01, {0, 0.005}, {0, -1});
-      scene.analysis.gravity.setZero();
-      scene.joints[0].restitution = restitution;
-      TrialOf step(scene);
-      const TrialSolution solution = step.solve();
-      ASSERT_TRUE(solution.impact.changes());
-      EXPECT_EQ(solution.impact.n_hits, 2);
-      expect_near(step.mean_motion(solution.motion(), 1), {0, -0.005 * (1 - restitution)}, 1e-8);
-      const TrialEnd end = step.trial.advance(0.01, solution);
-      expect_near(step.velocity(end.state, 1), {0, restitution}, 1e-5);
-      expect_near(step.blocks.displacements(end.state).col(4), {0, -0.005 * (1 - restitution)}, 1e-7);
-    }
-}
-
 TEST(TrialStep, TakesInTheContactThatLetAVertexThrough) {
   TrialOf step(above_a_plate(Scheme::decaying, 0.02, {0, 0.01}, {0, -2}));
   step.detect();
