@@ -51,17 +51,9 @@ std::vector<Points> random_polygons(int n, Points (*draw)(std::mt19937&)) {
   return polygons;
 }
 
-void record(const Difference& difference) {
-  testing::Test::RecordProperty("values", testing::PrintToString(difference.values));
-  testing::Test::RecordProperty("gradients", testing::PrintToString(difference.gradients));
-  testing::Test::RecordProperty("stiffness", testing::PrintToString(difference.stiffness));
-  testing::Test::RecordProperty("mass", testing::PrintToString(difference.mass));
-}
-
 Difference largest(const std::vector<Difference>& differences) {
   Difference worst;
   for (const Difference& difference : differences) worst = Difference::larger(worst, difference);
-  record(worst);
   return worst;
 }
 

@@ -101,8 +101,6 @@ Comparison compare(Cells cells) {
   const double size = exact.lpNorm<Eigen::Infinity>();
   const Comparison result{(ours - theirs).lpNorm<Eigen::Infinity>() / size,
                           (ours - exact).lpNorm<Eigen::Infinity>() / size};
-  testing::Test::RecordProperty("to_deal_ii", testing::PrintToString(result.to_deal_ii));
-  testing::Test::RecordProperty("to_exact", testing::PrintToString(result.to_exact));
   return result;
 }
 

@@ -42,14 +42,6 @@ TEST(BlockSystem, NumbersUnknownsVerticesAndStressPointsInBlockOrderWithoutHoles
   EXPECT_EQ(system.n_equations(), unknown);
 }
 
-TEST(BlockSystem, CallsBlocksByTheirIndicesUntilToldTheirNames) {
-  const BlockMaterial rock{polyfem::elasticity_matrix(1e8, 0.25, Plane::strain), 2000};
-  std::vector<std::unique_ptr<Block>> blocks;
-  for (double x : {0, 3}) blocks.push_back(std::make_unique<AffineBlock>(rock, rectangle(x, 0, 1, 1)));
-  const BlockSystem system(std::move(blocks));
-  EXPECT_EQ(system.names, (std::vector<std::string>{"0", "1"}));
-}
-
 TEST(BlockSystem, PrescribedDofsAreLeftOutOfTheEquationsAndTheOthersKeepTheirOrder) {
   Scene scene = three_blocks();
   scene.blocks[0].fixed_vertices = {1};

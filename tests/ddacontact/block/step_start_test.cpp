@@ -82,19 +82,3 @@ TEST(StepRule, OptionsOfNewmarkAreThoseOfNewmarkAlone) {
     EXPECT_EQ(rule.history() != 0, scheme == Scheme::newmark);
   }
 }
-
-/// Parts of their own, of any number of unknowns one after another, and where they are moved to.
-TEST(BlockForces, HaveThreePartsOfTheirOwn) {
-  BlockForces forces;
-  for (const Index n : {3, 5, 2}) {
-    forces.resize(n);
-    forces.elastic.setConstant(1);
-    forces.inertia.setConstant(2);
-    forces.damping.setConstant(3);
-    EXPECT_EQ(forces.elastic, VectorXd::Constant(n, 1));
-    EXPECT_EQ(forces.inertia, VectorXd::Constant(n, 2));
-    EXPECT_EQ(forces.damping, VectorXd::Constant(n, 3));
-  }
-  const BlockForces moved = std::move(forces);
-  EXPECT_EQ(moved.inertia, VectorXd::Constant(2, 2));
-}

@@ -33,10 +33,3 @@ TEST(AffineForm, IsTheSumOfItsTermsHoweverTheyAreMerged) {
     EXPECT_LE((F - VectorXd::Ones(20) + 2 * gradient).lpNorm<Eigen::Infinity>(), 1e-13);
   }
 }
-
-TEST(AffineForm, HoldsAVertexAndAnEdgeOfTwoSixUnknownBlocks) {
-  AffineForm form;
-  for (int unknown = 0; unknown < 12; ++unknown) form.add(unknown, unknown);
-  for (int unknown = 0; unknown < 12; ++unknown) form.add(unknown, 1);
-  EXPECT_DOUBLE_EQ(form.change(VectorXd::Ones(12)), 66 + 12);
-}

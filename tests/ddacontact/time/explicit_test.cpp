@@ -59,8 +59,6 @@ TEST(Explicit, AWallKeepsItsEnergy) {
   const std::vector<double> exact = energies_of_wall(Scheme::central_difference, 1e-5);
   const double kept = difference(energies_of_wall(Scheme::central_difference, 1e-4), exact),
                damped = difference(energies_of_wall(Scheme::decaying, 1e-4), exact);
-  RecordProperty("explicit", std::to_string(kept));
-  RecordProperty("decaying", std::to_string(damped));
   EXPECT_LE(kept, 1.5e-2);
   EXPECT_GE(damped, 5 * kept);
 }

@@ -120,6 +120,13 @@ TEST(CantileverOfVoronoiCells, ConvergesWithRatesTwoAndOne) {
                fine = CantileverOfCells(0.3, Formulation::plain, 4000).solve();
   EXPECT_NEAR(rate(coarse.displacement, fine.displacement) / 2, 2, 0.05);
   EXPECT_NEAR(rate(coarse.stress, fine.stress) / 2, 1, 0.05);
+  // Stress is best at vertices when it is extrapolated and averaged.
+  for (const Errors& errors : {coarse, fine}) {
+    EXPECT_LT(errors.at_vertices, 0.7 * errors.direct);
+    EXPECT_LT(errors.averaged, 0.5 * errors.at_vertices);
+  }
+  EXPECT_NEAR(rate(coarse.at_vertices, fine.at_vertices) / 2, 1, 0.1);
+  EXPECT_GT(rate(coarse.averaged, fine.averaged) / 2, 1.15);
 }
 
 TEST(CantileverOfVoronoiCells, IsMoreAccurateWithBBarAtAnyPoissonRatio) {
@@ -130,17 +137,6 @@ TEST(CantileverOfVoronoiCells, IsMoreAccurateWithBBarAtAnyPoissonRatio) {
     EXPECT_LT(b_bar.stress, plain.stress);
     EXPECT_LT(b_bar.averaged, plain.averaged);
   }
-}
-
-TEST(CantileverOfVoronoiCells, StressIsBestAtVerticesWhenExtrapolatedAndAveraged) {
-  const Errors coarse = CantileverOfCells(0.3, Formulation::plain, 250).solve(),
-               fine = CantileverOfCells(0.3, Formulation::plain, 4000).solve();
-  for (const Errors& errors : {coarse, fine}) {
-    EXPECT_LT(errors.at_vertices, 0.7 * errors.direct);
-    EXPECT_LT(errors.averaged, 0.5 * errors.at_vertices);
-  }
-  EXPECT_NEAR(rate(coarse.at_vertices, fine.at_vertices) / 2, 1, 0.1);
-  EXPECT_GT(rate(coarse.averaged, fine.averaged) / 2, 1.15);
 }
 
 class NearlyIncompressibleCantilever : public testing::TestWithParam<double> {};

@@ -276,16 +276,6 @@ TEST(Cholesky, FindsOneNegativePivotAmongMany) {
   }
 }
 
-TEST(Cholesky, TakesAnEmptyMatrix) {
-  const SparseMatrix empty(0, 0);
-  Cholesky cholesky;
-  cholesky.analyze(empty);
-  EXPECT_TRUE(cholesky.factorize(empty));
-  VectorXd x = VectorXd::Ones(3);
-  cholesky.solve(VectorXd(0), x);
-  EXPECT_EQ(x.size(), 0);
-}
-
 TEST(Cholesky, CanBeAnalyzedAnewAndMoved) {
   Cholesky cholesky;
   VectorXd x;

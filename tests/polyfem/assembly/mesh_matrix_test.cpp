@@ -55,9 +55,4 @@ TEST_P(MeshMatrixOf, IsTheSumOfItsCells) {
   }
 }
 
-TEST_P(MeshMatrixOf, CanBeEmpty) {
-  const PolygonMesh none;
-  EXPECT_EQ(MeshMatrix(none, n_components_).lower().rows(), 0);
-}
-
 }  // namespace

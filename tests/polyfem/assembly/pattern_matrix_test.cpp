@@ -219,16 +219,6 @@ TEST_P(PatternMatrixOfRandomElements, SumsOtherElementsInTheSamePattern) {
   expect_equal(dense);
 }
 
-TEST(PatternMatrix, CanBeEmpty) {
-  PatternMatrix matrix;
-  Connectivity all_left_out;
-  all_left_out.append(std::vector<int>{-1, -1});
-  EXPECT_FALSE(matrix.set_connectivity(0, all_left_out));
-  matrix.set_zero();
-  matrix.add(0, MatrixXd::Ones(2, 2));
-  EXPECT_EQ(matrix.lower().nonZeros(), 0);
-}
-
 TEST(PatternMatrix, FeedsCholesky) {
   Connectivity springs;  // a chain of four unknowns held at its far end, one spring an element
   for (int k = 0; k < 3; ++k) springs.append(std::vector<int>{k, k + 1});

@@ -90,16 +90,6 @@ TEST_P(Tabulate, CorrectionKeepsTheSumOfGradientsAndTheIdentity) {
   }
 }
 
-TEST_P(Tabulate, ReusesTheStorageOfTheElement) {
-  tabulate(polygon_, hammer_rule(3), wachspress, GradientCorrection::on, element_);
-  const double *values = element_.values.data(), *dx = element_.dx.data(), *dy = element_.dy.data();
-  tabulate(support::random_convex_polygon(n_, random_), hammer_rule(3), wachspress, GradientCorrection::on,
-           element_);
-  EXPECT_EQ(element_.values.data(), values);
-  EXPECT_EQ(element_.dx.data(), dx);
-  EXPECT_EQ(element_.dy.data(), dy);
-}
-
 /// What Wachspress functions say on the way by which the polygon comes in; empty when they take it.
 std::string complaint(const std::function<void()>& use) {
   try {

@@ -154,8 +154,6 @@ TEST(ConvexParts, AreNearlyAsFewAsPossible) {
       n_parts += parts;
       n_fewest += fewest;
     }
-  RecordProperty("parts", n_parts);
-  RecordProperty("fewest", n_fewest);
   EXPECT_LT(n_parts, 1.04 * n_fewest);
 }
 

@@ -60,13 +60,6 @@ TEST(ZlibBlocks, WhatRepeatsShrinksAndNoiseDoesNotGrow) {
   EXPECT_LT(deflater.deflate(sample(1000000, 1)).size(), 1002000u);
 }
 
-TEST(ZlibBlocks, SameBytesEveryTime) {
-  const Bytes bytes = sample(2000003, 2);
-  BlockDeflater used;
-  used.deflate(sample(100000, 1));
-  EXPECT_EQ(used.deflate(bytes), BlockDeflater().deflate(bytes));
-}
-
 TEST(ZlibBlocks, DamageIsAnErrorOrLeavesTheBytesAlone) {
   const Bytes bytes = sample(100000, 2);
   const std::string whole = BlockDeflater().deflate(bytes);

@@ -30,14 +30,6 @@ TEST_P(FanRule, GivesAreaCentroidAndSecondMoments) {
     }
 }
 
-TEST_P(FanRule, ReusesItsStorage) {
-  PolygonRule rule;
-  make_fan_rule(support::random_convex_polygon(GetParam(), random_), hammer_rule(3), rule);
-  const double* storage = rule.points.data();
-  make_fan_rule(support::random_convex_polygon(GetParam(), random_), hammer_rule(3), rule);
-  EXPECT_EQ(rule.points.data(), storage);
-}
-
 TEST(FanRuleOrder, PutsTheCentroidFirstAndTriangleKAtEdgeK) {
   Points square(2, 4);
   square << -1, 1, 1, -1,  //
