@@ -47,111 +47,92 @@ double turn_of(const Points& cell) {
   return least_turn(static_cast<int>(cell.cols()), [&](int k) -> Vec2 { return cell.col(k); });
 }
 
-class VoronoiOfDomain : public testing::TestWithParam<std::tuple<Domain, int>> {
- protected:
-  const Points& domain() const { return std::get<0>(GetParam()).polygon; }
-  bool convex() const { return std::get<0>(GetParam()).convex; }
-  int n_cells() const { return std::get<1>(GetParam()); }
-  /// Calls `test` with the meshes of several seeds.
-  template <class Test>
-  void for_seeds(const Test& test) const {
-    for (std::uint64_t seed = 0; seed < (n_cells() < 1000 ? 30u : 3u); ++seed) {
-      SCOPED_TRACE(seed);
-      test(voronoi(domain(), {.n_cells = n_cells(), .seed = seed}));
+void expect_cells(const PolygonMesh& mesh, const Domain& domain) {
+  double sum = 0;
+  for (int c = 0; c < mesh.n_cells(); ++c) {
+    sum += signed_area(mesh.outline(c));
+    EXPECT_EQ(find_non_convex_corner(mesh.outline(c), 1e-3), std::nullopt) << c;
+    if (domain.convex) {
+      EXPECT_GT(turn_of(mesh.outline(c)), std::sin(3 * 3.14 / 180)) << c;
     }
   }
-};
+  EXPECT_NEAR(sum / std::abs(signed_area(domain.polygon)), 1, 1e-12);
+}
 
+/// Inner edges have a cell on each side, in opposite directions.
+void expect_shared_edges(const PolygonMesh& mesh) {
+  std::set<std::pair<int, int>> directed;
+  for (int c = 0; c < mesh.n_cells(); ++c) {
+    const auto cell = mesh.cell(c);
+    for (std::size_t k = 0; k < cell.size(); ++k)
+      EXPECT_TRUE(directed.insert({cell[k], cell[(k + 1) % cell.size()]}).second);
+  }
+  std::set<std::pair<int, int>> single;
+  for (const auto& [first, second] : directed)
+    if (!directed.contains({second, first})) single.insert({first, second});
+  std::set<std::pair<int, int>> reported;
+  for (const auto& [first, second] : boundary_edges(mesh)) reported.insert({first, second});
+  EXPECT_EQ(single, reported);
+}
+
+/// The outline is one closed chain that passes every corner of the domain; between two corners all its edges
+/// are collinear.
+void expect_outline(const PolygonMesh& mesh, const Points& domain) {
+  Points outline = domain;
+  if (signed_area(outline) < 0) outline = domain.rowwise().reverse();
+  const Index n = outline.cols();
+  const double size = (outline.rowwise().maxCoeff() - outline.rowwise().minCoeff()).norm();
+  const double round_off = 4e-16 * (size + outline.cwiseAbs().maxCoeff());
+  std::map<int, int> next;
+  for (const auto& [first, second] : boundary_edges(mesh)) EXPECT_TRUE(next.insert({first, second}).second);
+  int vertex = -1;
+  for (const auto& [first, second] : next)
+    if (mesh.vertices.col(first) == outline.col(0)) vertex = first;
+  ASSERT_GE(vertex, 0);
+  std::size_t n_passed = 0;
+  for (Index k = 0; k < n; ++k) {
+    const Vec2 a = outline.col(k), b = outline.col((k + 1) % n), along = (b - a).normalized();
+    for (double last = -1; n_passed <= next.size() && Vec2(mesh.vertices.col(vertex)) != b; ++n_passed) {
+      const Vec2 x = mesh.vertices.col(vertex);
+      EXPECT_LE(std::abs(cross(along, x - a)), round_off);
+      EXPECT_GT(along.dot(x - a), last);
+      last = along.dot(x - a);
+      vertex = next.at(vertex);
+    }
+  }
+  EXPECT_EQ(n_passed, next.size());
+  EXPECT_EQ(Vec2(mesh.vertices.col(vertex)), Vec2(outline.col(0)));
+}
+
+void expect_each_vertex_once(const PolygonMesh& mesh) {
+  std::set<int> used(mesh.indices.begin(), mesh.indices.end());
+  EXPECT_EQ(static_cast<Index>(used.size()), mesh.vertices.cols());
+  std::set<std::pair<double, double>> positions;
+  for (const auto x : mesh.vertices.colwise()) positions.insert({x.x(), x.y()});
+  EXPECT_EQ(static_cast<Index>(positions.size()), mesh.vertices.cols());
+}
+
+class VoronoiOfDomain : public testing::TestWithParam<std::tuple<Domain, int>> {};
 INSTANTIATE_TEST_SUITE_P(Domains, VoronoiOfDomain,
                          testing::Combine(testing::ValuesIn(domains), testing::Values(1, 2, 10, 1000)),
                          [](const auto& test) {
                            return std::get<0>(test.param).name + std::to_string(std::get<1>(test.param));
                          });
 
-TEST_P(VoronoiOfDomain, HasAsManyCellsAsAskedForWhereItIsConvex) {
-  for_seeds([&](const PolygonMesh& mesh) {
-    if (convex())
-      EXPECT_EQ(mesh.n_cells(), n_cells());
+TEST_P(VoronoiOfDomain, IsASoundMeshOfIt) {
+  const auto& [domain, n_cells] = GetParam();
+  for (std::uint64_t seed = 0; seed < (n_cells < 1000 ? 30u : 3u); ++seed) {
+    SCOPED_TRACE(seed);
+    const PolygonMesh mesh = voronoi(domain.polygon, {.n_cells = n_cells, .seed = seed});
+    if (domain.convex)
+      EXPECT_EQ(mesh.n_cells(), n_cells);
     else
-      EXPECT_GE(mesh.n_cells(), n_cells());
-  });
-}
-
-TEST_P(VoronoiOfDomain, FillsTheDomain) {
-  for_seeds([&](const PolygonMesh& mesh) {
-    double sum = 0;
-    for (int c = 0; c < mesh.n_cells(); ++c) sum += signed_area(mesh.outline(c));
-    EXPECT_NEAR(sum / std::abs(signed_area(domain())), 1, 1e-12);
-  });
-}
-
-TEST_P(VoronoiOfDomain, HasStrictlyConvexCellsOnly) {
-  for_seeds([&](const PolygonMesh& mesh) {
-    for (int c = 0; c < mesh.n_cells(); ++c) {
-      EXPECT_EQ(find_non_convex_corner(mesh.outline(c), 1e-3), std::nullopt) << c;
-      if (convex()) {
-        EXPECT_GT(turn_of(mesh.outline(c)), std::sin(3 * 3.14 / 180)) << c;
-      }
-    }
-  });
-}
-
-TEST_P(VoronoiOfDomain, SharesEachInnerEdgeBetweenTwoCellsInOppositeDirections) {
-  for_seeds([&](const PolygonMesh& mesh) {
-    std::set<std::pair<int, int>> directed;
-    for (int c = 0; c < mesh.n_cells(); ++c) {
-      const auto cell = mesh.cell(c);
-      for (std::size_t k = 0; k < cell.size(); ++k)
-        EXPECT_TRUE(directed.insert({cell[k], cell[(k + 1) % cell.size()]}).second);
-    }
-    std::set<std::pair<int, int>> single;
-    for (const auto& [first, second] : directed)
-      if (!directed.contains({second, first})) single.insert({first, second});
-    std::set<std::pair<int, int>> reported;
-    for (const auto& [first, second] : boundary_edges(mesh)) reported.insert({first, second});
-    EXPECT_EQ(single, reported);
-  });
-}
-
-// The outline is one closed chain that passes every corner of the domain; between two
-// corners all its edges are collinear.
-TEST_P(VoronoiOfDomain, HasTheOutlineOfTheDomain) {
-  Points outline = domain();
-  if (signed_area(outline) < 0) outline = domain().rowwise().reverse();
-  const Index n = outline.cols();
-  const double size = (outline.rowwise().maxCoeff() - outline.rowwise().minCoeff()).norm();
-  const double round_off = 4e-16 * (size + outline.cwiseAbs().maxCoeff());
-  for_seeds([&](const PolygonMesh& mesh) {
-    std::map<int, int> next;
-    for (const auto& [first, second] : boundary_edges(mesh)) EXPECT_TRUE(next.insert({first, second}).second);
-    int vertex = -1;
-    for (const auto& [first, second] : next)
-      if (mesh.vertices.col(first) == outline.col(0)) vertex = first;
-    ASSERT_GE(vertex, 0);
-    std::size_t n_passed = 0;
-    for (Index k = 0; k < n; ++k) {
-      const Vec2 a = outline.col(k), b = outline.col((k + 1) % n), along = (b - a).normalized();
-      for (double last = -1; n_passed <= next.size() && Vec2(mesh.vertices.col(vertex)) != b; ++n_passed) {
-        const Vec2 x = mesh.vertices.col(vertex);
-        EXPECT_LE(std::abs(cross(along, x - a)), round_off);
-        EXPECT_GT(along.dot(x - a), last);
-        last = along.dot(x - a);
-        vertex = next.at(vertex);
-      }
-    }
-    EXPECT_EQ(n_passed, next.size());
-    EXPECT_EQ(Vec2(mesh.vertices.col(vertex)), Vec2(outline.col(0)));
-  });
-}
-
-TEST_P(VoronoiOfDomain, UsesEveryVertexAndNoneTwice) {
-  for_seeds([&](const PolygonMesh& mesh) {
-    std::set<int> used(mesh.indices.begin(), mesh.indices.end());
-    EXPECT_EQ(static_cast<Index>(used.size()), mesh.vertices.cols());
-    std::set<std::pair<double, double>> positions;
-    for (const auto x : mesh.vertices.colwise()) positions.insert({x.x(), x.y()});
-    EXPECT_EQ(static_cast<Index>(positions.size()), mesh.vertices.cols());
-  });
+      EXPECT_GE(mesh.n_cells(), n_cells);
+    expect_cells(mesh, domain);
+    expect_shared_edges(mesh);
+    ASSERT_NO_FATAL_FAILURE(expect_outline(mesh, domain.polygon));
+    expect_each_vertex_once(mesh);
+  }
 }
 
 TEST(Voronoi, GivesTheSameBytesForTheSameSeedAndOthersForAnother) {
