@@ -47,36 +47,22 @@ Vec2 grid_point(int side, std::mt19937& random) {
 
 }  // namespace
 
-TEST(BroadPhase, FindsThePairsOfBoxesOfEqualSize) {
+/// Of equal and different sizes, touching, without extent, the same ones, far from the origin and from each other.
+TEST(BroadPhase, FindsAllPairsOfBoxesOfAnyKind) {
   expect_all_pairs("equal", 500, [](auto& r) { return box_between(point(8, r), {1, 1}); });
-}
-
-TEST(BroadPhase, FindsThePairsOfBoxesOfSizesOneToAHundred) {
   expect_all_pairs("1:100", 500, [](auto& r) {
     const double size = std::pow(10, draw(-1, 1, r));
     return box_between(point(60, r), {size * draw(0.1, 1, r), size * draw(0.1, 1, r)});
   });
-}
-
-TEST(BroadPhase, FindsBoxesThatTouchInAPointOrALine) {
   expect_all_pairs("touching", 500, [](auto& r) { return box_between(grid_point(12, r), {1, 1}); });
   expect_all_pairs("touching, sizes", 500,
                    [](auto& r) { return box_between(grid_point(30, r), grid_point(4, r)); });
-}
-
-TEST(BroadPhase, FindsPointsAndSegmentsAmongBoxes) {
   expect_all_pairs("points", 200, [](auto& r) { return box_between(grid_point(5, r), {0, 0}); });
   expect_all_pairs("mixed", 500, [](auto& r) {
     return box_between(grid_point(8, r), Vec2(r() % 2 ? 2 : 0, r() % 3 ? 0 : 1));
   });
-}
-
-TEST(BroadPhase, FindsAllPairsOfCoincidentBoxes) {
   expect_all_pairs("identical", 100, [](auto&) { return box_between({3, 4}, {1, 2}); });
   expect_all_pairs("identical points", 100, [](auto&) { return box_between({3, 4}, {0, 0}); });
-}
-
-TEST(BroadPhase, FindsPairsFarFromTheOriginAndFromEachOther) {
   expect_all_pairs("far away", 300, [](auto& r) {
     return box_between(Vec2(5e5, -4e6) + point(8, r), {1, 1});
   });
