@@ -1,4 +1,5 @@
 #include <ddacontact/contact/contact.hpp>
+#include <ddacontact/contact/kinematics.hpp>
 #include <tests/support/random_polygon.hpp>
 
 #include <gtest/gtest.h>
@@ -254,7 +255,24 @@ TEST_P(EdgeMotion, GradientsAreThoseOfThePaperAndATermProportionalToTheGap) {
   }
 }
 
-/// Vertex and edge on blocks of six unknowns each, as when Newton's method solves a step.
+/// Coefficients (37), with the sign of a gap that is negative inside, and (45) for a lock point within the
+/// edge.
+TEST(EdgeMotion, FormsHaveTheCoefficientsOfThePaper) {
+  std::mt19937 random(6);
+  for (int trial = 0; trial < 50; ++trial) {
+    const VertexEdgePositions at = place_at(random_place(0.5, random));
+    const auto& [i, j, k] = at;
+    const double l = (k - j).norm(), lock = support::uniform(0, 1, random);
+    const Vec2 o = (1 - lock) * j + lock * k;
+    Vec6 e, e_bar;
+    e << j.y() - k.y(), k.x() - j.x(), k.y() - i.y(), i.x() - k.x(), i.y() - j.y(), j.x() - i.x();
+    e_bar << (k - j) / l, (j - k) / (l * l) * (o - k).norm(), (j - k) / (l * l) * (o - j).norm();
+    EXPECT_LE((components(gap_form(at).gradient) + e / l).norm(), 1e-14);
+    EXPECT_LE((components(slip_form(at, lock).gradient) - e_bar).norm(), 1e-14);
+    EXPECT_NEAR(slip_form(at, edge_fraction(i, j, k)).constant, 0, 1e-14);
+  }
+}
+
 /// A point with unknowns of its own, and the same told by terms: the same form.
 TEST_P(EdgeMotion, FormsOfPointsWithUnknownsOfTheirOwnAreThoseOfAnyPoints) {
   const std::vector<PointMap::Term> axes{{0, Vec2::UnitX()}, {1, Vec2::UnitY()}};
@@ -287,4 +305,23 @@ TEST_P(EdgeMotion, LinearFormHasTheValueAtItsUnknownsAndTheDerivativesByThem) {
     EXPECT_EQ(form.unknowns().size(), 12u);
     EXPECT_NEAR(form.change(change), (value(d + h * change) - value(d - h * change)) / (2 * h), 1e-8);
   }
+}
+
+/// The forms know blocks only by their point maps: here a rigid one that can but translate, against a fixed
+/// edge and as the edge's own block.
+TEST(EdgeMotion, ABlockOfTwoUnknownsFits) {
+  const std::vector<PointMap::Term> terms{{7, Vec2::UnitX()}, {3, Vec2::UnitY()}};
+  const PointMap translating(0, terms);
+  const VertexEdgePositions positions{{0.25, -0.5}, {0, 0}, {1, 0}};
+  const MovingVertexEdge vertex{positions, translating, {}, {}},
+      edge{positions, {}, translating, translating};
+  const AffineForm on_fixed = vertex.form(gap_form(positions)), on_moving = edge.form(gap_form(positions)),
+                   slip = edge.form(slip_form(positions, 0.75));
+  VectorXd d = VectorXd::Zero(8);
+  d[7] = 0.125;
+  d[3] = 2;
+  EXPECT_DOUBLE_EQ(on_fixed.change(d), -2);
+  EXPECT_DOUBLE_EQ(on_moving.change(d), 2);
+  EXPECT_EQ(on_moving.unknowns().size(), 2u);
+  EXPECT_DOUBLE_EQ(slip(d), 0.25 - 0.75 - 0.125);
 }
