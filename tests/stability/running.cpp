@@ -370,8 +370,8 @@ void overlaps(Page& page) {
 
 void interruptions(Page& page) {
   page.begin(
-      {"Killed 100 times at random, resumed", "the same bytes",
-       "`Resume.KilledAHundredTimesAtRandomTheSameFiles`, `Resume.AnyStepOfEveryExampleGivesTheSameFiles`"});
+      {"Killed 30 times at random, resumed", "the same bytes",
+       "`Resume.KilledThirtyTimesAtRandomTheSameFiles`, `Resume.AnyStepOfEveryExampleGivesTheSameFiles`"});
 }
 
 }  // namespace stability
