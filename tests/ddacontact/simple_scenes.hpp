@@ -61,6 +61,22 @@ inline Scene rock_scene(double time_step, int steps) {
   return scene;
 }
 
+/// The scene with the mechanics of the default preset, by that scheme.
+inline Scene default_mechanics(Scene scene, Scheme scheme = Scheme::decaying) {
+  scene.analysis.kinematics = Kinematics::corotational;
+  scene.analysis.scheme = scheme;
+  scene.contact.method = ContactMethod::staged;
+  scene.contact.penetration_tolerance = 1e-6;
+  return scene;
+}
+
+/// Stiff rock, of which blocks step as by default, by that scheme.
+inline Scene default_mechanics(double time_step, Scheme scheme = Scheme::decaying) {
+  Scene scene = default_mechanics(rock_scene(time_step, 1), scheme);
+  scene.materials[0].young = 1e11;
+  return scene;
+}
+
 inline TimeFunction constant(const Vec2& value) {
   return {TimeFunction::Kind::constant, value, {}};
 }

@@ -58,10 +58,7 @@ Points with_parted_edges(const Points& outline, int n) {
 Scene many_held(bool corotational) {
   Scene scene = support::rock_scene(0.01, 8);
   if (corotational) {
-    scene.analysis.kinematics = Kinematics::corotational;
-    scene.analysis.scheme = Scheme::decaying;
-    scene.contact.method = ContactMethod::staged;
-    scene.contact.penetration_tolerance = 1e-6;
+    scene = support::default_mechanics(scene);
   }
   scene.joints[0].friction_angle = 20;
   const std::vector<BlockModel> models{BlockModel::wachspress, BlockModel::affine, BlockModel::mean_value,

@@ -14,11 +14,7 @@ constexpr double stiffness = 1e6, ratio = 0.05;  // of the joint, Pa/m, and of i
 
 /// A block of 4 t on a joint of 2 m that is soft against it, from rest under its weight.
 Scene oscillator() {
-  Scene scene = rock_scene(1e-3, 1200);
-  scene.analysis.kinematics = Kinematics::corotational;
-  scene.analysis.scheme = Scheme::midpoint;
-  scene.contact.method = ContactMethod::staged;
-  scene.contact.penetration_tolerance = 1e-6;
+  Scene scene = default_mechanics(rock_scene(1e-3, 1200), Scheme::midpoint);
   scene.materials[0].young = 1e10;
   scene.joints[0].friction_angle = 30;
   scene.joints[0].normal_stiffness = scene.joints[0].shear_stiffness = stiffness;

@@ -130,11 +130,7 @@ TEST_F(FrameWriterTest, FramesHoldHowFarBlocksHaveTurned) {
 
 /// What a divided block stores at its integration points is what its frame tells of its cells.
 TEST_F(FrameWriterTest, CellsOfADividedBlockHoldItsStress) {
-  Scene scene = rock_scene(0.01, 5);
-  scene.analysis.kinematics = Kinematics::corotational;
-  scene.analysis.scheme = Scheme::decaying;
-  scene.contact.method = ContactMethod::staged;
-  scene.contact.penetration_tolerance = 1e-6;
+  Scene scene = default_mechanics(rock_scene(0.01, 5));
   scene.blocks = {block(turned(rectangle(0, 0, 2, 1), 0.3))};
   scene.blocks[0].fixed_vertices = {0, 3};
   scene.blocks[0].model = BlockModel::mesh;

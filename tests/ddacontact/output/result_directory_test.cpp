@@ -233,11 +233,7 @@ TEST(ResultDirectory, ResultsSpeakOfTheScenesVerticesAndCoordinates) {
 
 /// What `run` counted is what the file says, under the keys of the documentation.
 TEST(ResultDirectory, TheSummaryHoldsTheStepsCounts) {
-  Scene scene = rock_scene(0.01, 60);
-  scene.analysis.kinematics = Kinematics::corotational;
-  scene.analysis.scheme = Scheme::decaying;
-  scene.contact.method = ContactMethod::staged;
-  scene.contact.penetration_tolerance = 1e-6;
+  Scene scene = default_mechanics(rock_scene(0.01, 60));
   scene.joints[0].restitution = 0.5;
   scene.joints[0].friction_angle = 30;
   scene.blocks = {block(rectangle(0, -1, 6, 1), true), block(rectangle(2, 0.05, 1, 1))};
@@ -290,11 +286,7 @@ TEST(StressRange, IsTheAverageAndTheExtremesOverTheIntegrationPoints) {
 /// A divided block is held at points that the scene does not know, inside it and on its edges.
 TEST(ResultDirectory, ADividedBlockWeighsOnItsVertices) {
   for (bool clockwise : {false, true}) {
-    Scene scene = rock_scene(0.01, 1);
-    scene.analysis.kinematics = Kinematics::corotational;
-    scene.analysis.scheme = Scheme::decaying;
-    scene.contact.method = ContactMethod::staged;
-    scene.contact.penetration_tolerance = 1e-6;
+    Scene scene = default_mechanics(rock_scene(0.01, 1));
     Points l_shape(2, 6);
     l_shape << 0, 3, 3, 1, 1, 0,  //
         0, 0, 1, 1, 2, 2;

@@ -28,11 +28,7 @@ struct SweptBlocks {
     options.local = true;
   }
   static Scene scene(double speed) {
-    Scene scene = rock_scene(1e-4, 1);
-    scene.analysis.kinematics = Kinematics::corotational;
-    scene.analysis.scheme = Scheme::decaying;
-    scene.contact.method = ContactMethod::staged;
-    scene.contact.penetration_tolerance = 1e-6;
+    Scene scene = default_mechanics(rock_scene(1e-4, 1));
     scene.materials[0].young = 1e14;
     scene.joints[0].friction_angle = 30;
     scene.blocks = {block(rectangle(-2, -1, 12, 1), true), block(rectangle(0, 0, 2, 1)),

@@ -14,11 +14,8 @@ Scene shapes_scene(double friction_angle, double time_step) {
   Scene scene;
   scene.analysis.time_step = time_step;
   scene.analysis.gravity = Vec2(0, -10);
-  scene.analysis.kinematics = Kinematics::corotational;
-  scene.analysis.scheme = Scheme::decaying;
+  scene = default_mechanics(scene);
   scene.analysis.cutting_factor = 0.5;
-  scene.contact.method = ContactMethod::staged;
-  scene.contact.penetration_tolerance = 1e-6;
   scene.contact.normal_stiffness = 4e11;
   scene.contact.tangential_stiffness = 1.6e11;
   scene.materials = {{"rock", 2500, 1e10, 0.25}};

@@ -20,11 +20,7 @@ inline RockBolt steel_bolt(const Vec2& from, const Vec2& to) {
 
 /// A block of 40 kN that hangs from a fixed one, 5 m below.
 inline Scene hanging_block(double time_step, int steps) {
-  Scene scene = rock_scene(time_step, steps);
-  scene.analysis.kinematics = Kinematics::corotational;
-  scene.analysis.scheme = Scheme::midpoint;
-  scene.contact.method = ContactMethod::staged;
-  scene.contact.penetration_tolerance = 1e-6;
+  Scene scene = default_mechanics(rock_scene(time_step, steps), Scheme::midpoint);
   scene.materials[0].young = 1e14;
   scene.blocks = {block(rectangle(0, 9.5, 2, 1), true), block(rectangle(0, 4.5, 2, 1))};
   scene.bolts = {steel_bolt({1, 10}, {1, 5})};

@@ -310,11 +310,7 @@ TEST(FlatImpact, AtTheEndOfAStepDoesNotTurnABlock) {
 /// have come while a wave crosses the block, do not come any more. By hand: v' = v - v / (1 + m r^2 / I).
 TEST(RoundBlock, RollsWhenItLandsHoweverManyVerticesItHas) {
   for (const int n : {16, 64}) {
-    Scene scene = rock_scene(1e-3, 60);
-    scene.analysis.kinematics = Kinematics::corotational;
-    scene.analysis.scheme = Scheme::decaying;
-    scene.contact.method = ContactMethod::staged;
-    scene.contact.penetration_tolerance = 1e-6;
+    Scene scene = default_mechanics(rock_scene(1e-3, 60));
     scene.analysis.block_model = BlockModel::affine;
     scene.analysis.max_displacement_ratio = 1;
     scene.materials = {{"rock", 2500, 2e10, 0.25}};

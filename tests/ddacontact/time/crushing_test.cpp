@@ -15,11 +15,8 @@ namespace {
 Scene masonry(double strength) {
   Scene scene = rock_scene(0.01, 100);
   scene.analysis.mode = Mode::statics;
-  scene.analysis.kinematics = Kinematics::corotational;
-  scene.analysis.scheme = Scheme::decaying;
+  scene = default_mechanics(scene);
   scene.analysis.max_displacement_ratio = 0.1;
-  scene.contact.method = ContactMethod::staged;
-  scene.contact.penetration_tolerance = 1e-6;
   scene.materials[0].young = 2e12;
   scene.joints[0].friction_angle = 60;
   scene.joints[0].compressive_strength = strength;

@@ -7,11 +7,7 @@ namespace {
 
 /// Two unit squares side by side, `gap` apart, held wholly and moved by their supports over the run.
 Scene driven(double gap, const Vec2& left, const Vec2& right) {
-  Scene scene = rock_scene(0.01, 10);
-  scene.analysis.kinematics = Kinematics::corotational;
-  scene.analysis.scheme = Scheme::decaying;
-  scene.contact.method = ContactMethod::staged;
-  scene.contact.penetration_tolerance = 1e-6;
+  Scene scene = default_mechanics(rock_scene(0.01, 10));
   scene.blocks = {block(rectangle(0, 0, 1, 1)), block(rectangle(1 + gap, 0, 1, 1))};
   for (int b : {0, 1}) {
     Support support;

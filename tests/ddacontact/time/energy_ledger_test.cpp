@@ -151,13 +151,9 @@ TEST(EnergyLedger, KnowsTheMostThatIsPushedOutInOneStep) {
 /// throughout.
 TEST(EnergyLedger, OfEverythingAtOnceCloses) {
   for (const Scheme scheme : {Scheme::decaying, Scheme::midpoint}) {
-    Scene scene = rock_scene(0.005, 200);
-    scene.analysis.kinematics = Kinematics::corotational;
-    scene.analysis.scheme = scheme;
+    Scene scene = default_mechanics(rock_scene(0.005, 200), scheme);
     scene.analysis.max_displacement_ratio = 1;
     scene.analysis.damping = {0.2, 1e-4};
-    scene.contact.method = ContactMethod::staged;
-    scene.contact.penetration_tolerance = 1e-6;
     scene.joints[0].friction_angle = 25;
     scene.joints[0].restitution = 0.4;
     scene.joints[0].dashpot = 0.1;
@@ -201,10 +197,7 @@ TEST(EnergyLedger, ImpactsWithFrictionMakeNoEnergy) {
     for (int k = 0; k < 24; ++k) {
       Scene scene = rock_scene(0.01, 4);
       scene.analysis.gravity = Vec2::Zero();
-      scene.analysis.kinematics = Kinematics::corotational;
-      scene.analysis.scheme = Scheme::decaying;
-      scene.contact.method = ContactMethod::staged;
-      scene.contact.penetration_tolerance = 1e-6;
+      scene = default_mechanics(scene);
       scene.joints[0].friction_angle = friction;
       Points thrown = turned(rectangle(0, 0, 1, 0.6), radians(7.5 * k + 3));
       thrown.row(1).array() += 0.05 - thrown.row(1).minCoeff();

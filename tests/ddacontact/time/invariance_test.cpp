@@ -53,11 +53,7 @@ TEST(Invariance, TwoRunsGiveTheSameBits) {
 
 /// The default mechanics, on a map, with coordinates that are multiples of 2^-20 m.
 TEST(Invariance, AMapsOriginChangesNothingOfTheDefaultMechanics) {
-  Scene scene = pile();
-  scene.analysis.kinematics = Kinematics::corotational;
-  scene.analysis.scheme = Scheme::decaying;
-  scene.contact.method = ContactMethod::staged;
-  scene.contact.penetration_tolerance = 1e-6;
+  Scene scene = default_mechanics(pile());
   scene.blocks[3].vertices = (scene.blocks[3].vertices.array() + 1. / (1 << 20)).matrix();
   const BuiltScene here = run(scene), there = run(changed(scene, Mat2::Identity(), Vec2(5e5, 4e6)));
   expect_same_counts(*here.stepper, *there.stepper);

@@ -9,10 +9,7 @@ namespace {
 Scene stiff_joint(Scheme scheme, double time_step, int steps) {
   Scene scene = rock_scene(time_step, steps);
   scene.analysis.gravity.setZero();
-  scene.analysis.kinematics = Kinematics::corotational;
-  scene.analysis.scheme = scheme;
-  scene.contact.method = ContactMethod::staged;
-  scene.contact.penetration_tolerance = 1e-6;
+  scene = default_mechanics(scene, scheme);
   scene.materials[0].young = 3e10;
   scene.joints[0].friction_angle = 30;
   scene.joints[0].normal_stiffness = 1e10;

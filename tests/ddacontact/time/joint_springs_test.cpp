@@ -9,11 +9,7 @@ namespace {
 
 /// Blocks of 2 x 1 m of 40 kN on a fixed one, stiff against their joint.
 Scene column(int n_blocks, double normal_stiffness, double shear_stiffness) {
-  Scene scene = rock_scene(0.01, 100);
-  scene.analysis.kinematics = Kinematics::corotational;
-  scene.analysis.scheme = Scheme::midpoint;
-  scene.contact.method = ContactMethod::staged;
-  scene.contact.penetration_tolerance = 1e-6;
+  Scene scene = default_mechanics(rock_scene(0.01, 100), Scheme::midpoint);
   scene.joints[0].friction_angle = 40;
   scene.joints[0].normal_stiffness = normal_stiffness;
   scene.joints[0].shear_stiffness = shear_stiffness;

@@ -19,12 +19,8 @@ std::vector<Vec3> record() {
 
 /// A stiff block of 2 x 1 m on a base.
 Scene block_on_ground(double time_step) {
-  Scene scene = rock_scene(time_step, static_cast<int>(std::round(3 / time_step)));
-  scene.analysis.kinematics = Kinematics::corotational;
-  scene.analysis.scheme = Scheme::decaying;
+  Scene scene = default_mechanics(rock_scene(time_step, static_cast<int>(std::round(3 / time_step))));
   scene.analysis.block_model = BlockModel::affine;
-  scene.contact.method = ContactMethod::staged;
-  scene.contact.penetration_tolerance = 1e-6;
   scene.materials[0].young = 1e10;
   scene.contact.normal_stiffness = 4e11;
   scene.contact.tangential_stiffness = 1.6e11;

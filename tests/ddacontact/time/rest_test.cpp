@@ -185,11 +185,7 @@ TEST(Rest, AnInitialOverlapMakesNoForce) {
 TEST(Rest, AnInitialOverlapStaysFreeOfStressWhileItsContactIsOpen) {
   for (const Mode mode : {Mode::dynamic, Mode::statics})
     for (const double up : {0., 0.01}) {
-      Scene scene = resting(BlockModel::wachspress, 0, mode);
-      scene.contact.method = ContactMethod::staged;
-      scene.contact.penetration_tolerance = 1e-6;
-      scene.analysis.kinematics = Kinematics::corotational;
-      scene.analysis.scheme = Scheme::decaying;
+      Scene scene = default_mechanics(resting(BlockModel::wachspress, 0, mode));
       scene.analysis.gravity.setZero();
       scene.blocks[0].vertices = rectangle(-2, -1, 8, 1);
       scene.blocks[1].vertices.row(1).array() -= 1. / 1024;

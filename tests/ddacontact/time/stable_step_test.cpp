@@ -9,11 +9,7 @@ using namespace support;
 namespace {
 
 Scene stepped_explicitly(double time_step, int steps) {
-  Scene scene = rock_scene(time_step, steps);
-  scene.analysis.kinematics = Kinematics::corotational;
-  scene.analysis.scheme = Scheme::central_difference;
-  scene.contact.method = ContactMethod::staged;
-  scene.contact.penetration_tolerance = 1e-6;
+  Scene scene = default_mechanics(rock_scene(time_step, steps), Scheme::central_difference);
   return scene;
 }
 

@@ -211,11 +211,7 @@ TEST(Stages, ABlockDoesNotComeInWhereAnotherOneIs) {
 class APillarTakenOut : public ::testing::Test {
  protected:
   static Scene scene(Mode mode, int relax, int steps) {
-    Scene scene = rock_scene(0.01, 1);
-    scene.analysis.kinematics = Kinematics::corotational;
-    scene.analysis.scheme = Scheme::decaying;
-    scene.contact.method = ContactMethod::staged;
-    scene.contact.penetration_tolerance = 1e-6;
+    Scene scene = default_mechanics(rock_scene(0.01, 1));
     scene.materials[0].young = 1e11;
     scene.materials[0].poisson = 0;
     scene.joints[0].friction_angle = 30;

@@ -7,17 +7,6 @@
 
 namespace support {
 
-/// Rock on which blocks step as by default, by that scheme.
-inline Scene default_mechanics(double time_step, Scheme scheme = Scheme::decaying) {
-  Scene scene = rock_scene(time_step, 1);
-  scene.analysis.kinematics = Kinematics::corotational;
-  scene.analysis.scheme = scheme;
-  scene.contact.method = ContactMethod::staged;
-  scene.contact.penetration_tolerance = 1e-6;
-  scene.materials[0].young = 1e11;
-  return scene;
-}
-
 /// A trial of the step that begins where a stepper stands.
 struct TrialOf {
   BuiltScene built;

@@ -16,12 +16,8 @@ Points line(std::initializer_list<Vec2> points) {
 
 /// Rock under the default mechanics, water of the table in joints too.
 Scene wet_scene(double time_step, int steps, const Points& table) {
-  Scene scene = rock_scene(time_step, steps);
-  scene.analysis.kinematics = Kinematics::corotational;
-  scene.analysis.scheme = Scheme::decaying;
+  Scene scene = default_mechanics(rock_scene(time_step, steps));
   scene.analysis.block_model = BlockModel::affine;
-  scene.contact.method = ContactMethod::staged;
-  scene.contact.penetration_tolerance = 1e-6;
   scene.materials[0].young = 1e11;
   scene.contact.normal_stiffness = 4e12;
   scene.contact.tangential_stiffness = 1.6e12;
