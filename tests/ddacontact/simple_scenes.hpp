@@ -2,10 +2,9 @@
 #pragma once
 
 #include <ddacontact/scene/builder.hpp>
+#include <tests/support/polygons.hpp>
 
 #include <gtest/gtest.h>
-
-#include <Eigen/Geometry>
 
 #include <cmath>
 #include <numbers>
@@ -13,18 +12,6 @@
 namespace support {
 
 using namespace ddacontact;
-
-inline Points rectangle(double x, double y, double width, double height) {
-  Points p(2, 4);
-  p << x, x + width, x + width, x,  //
-      y, y, y + height, y + height;
-  return p;
-}
-
-inline Points turned(const Points& polygon, double angle, const Vec2& centre = Vec2::Zero()) {
-  const Eigen::Rotation2Dd R(angle);
-  return (R.toRotationMatrix() * (polygon.colwise() - centre)).colwise() + centre;
-}
 
 inline double radians(double degrees) {
   return degrees * std::numbers::pi / 180;

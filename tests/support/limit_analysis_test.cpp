@@ -1,5 +1,6 @@
 // Limits of rigid blocks with known answers.
 #include "limit_analysis.hpp"
+#include "polygons.hpp"
 #include "random_arches_walls.hpp"
 #include "random_slopes.hpp"
 #include "rigid_rock.hpp"
@@ -21,10 +22,6 @@ Points polygon(const std::vector<Vec2>& corners) {
   Points outline(2, static_cast<Eigen::Index>(corners.size()));
   for (std::size_t k = 0; k < corners.size(); ++k) outline.col(static_cast<Eigen::Index>(k)) = corners[k];
   return outline;
-}
-
-Points rectangle(double x, double y, double width, double height) {
-  return polygon({{x, y}, {x + width, y}, {x + width, y + height}, {x, y + height}});
 }
 
 Mat2 rotation(double angle) {

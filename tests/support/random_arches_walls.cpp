@@ -1,6 +1,7 @@
 #include "random_arches_walls.hpp"
 
 #include "limit_analysis.hpp"
+#include "polygons.hpp"
 #include "random_polygon.hpp"
 #include "rigid_rock.hpp"
 
@@ -11,13 +12,6 @@ namespace support {
 namespace {
 
 using namespace ddacontact;
-
-Points rectangle(double x, double y, double width, double height) {
-  Points outline(2, 4);
-  outline << x, x + width, x + width, x,  //
-      y, y, y + height, y + height;
-  return outline;
-}
 
 class MasonryDrawing {
  public:

@@ -1,26 +1,14 @@
 #include <polyfem/geometry/area_moments.hpp>
+#include <tests/support/domains.hpp>
 #include <tests/support/random_polygon.hpp>
 
 #include <gtest/gtest.h>
 
 using namespace polyfem;
+using support::l_shape;
+using support::rectangle;
 
 namespace {
-
-Points rectangle(double width, double height) {
-  Points polygon(2, 4);
-  polygon << 0, width, width, 0,  //
-      0, 0, height, height;
-  return polygon;
-}
-
-/// An L of three unit squares; concave.
-Points l_shape() {
-  Points polygon(2, 6);
-  polygon << 0, 2, 2, 1, 1, 0,  //
-      0, 0, 1, 1, 2, 2;
-  return polygon;
-}
 
 TEST(AreaMoments, OfRectangleAreTheTextbookOnes) {
   const AreaMoments moments = area_moments(rectangle(3, 2));

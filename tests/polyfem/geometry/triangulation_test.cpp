@@ -4,7 +4,7 @@
 #include <polyfem/geometry/triangulation.hpp>
 #include <polyfem/geometry/validity.hpp>
 #include <tests/support/concave_polygons.hpp>
-#include <tests/support/random_polygon.hpp>
+#include <tests/support/random_simple_polygon.hpp>
 
 #include <gtest/gtest.h>
 
@@ -12,18 +12,9 @@
 #include <numeric>
 
 using namespace polyfem;
+using support::random_star;
 
 namespace {
-
-/// A random simple polygon: vertices at jittered angles and random distances, star-shaped about the origin.
-Points random_star(int n, std::mt19937& random) {
-  Points polygon(2, n);
-  for (int k = 0; k < n; ++k) {
-    const double angle = 2 * std::numbers::pi * (k + support::uniform(0, 0.8, random)) / n;
-    polygon.col(k) = support::uniform(0.1, 1, random) * Vec2(std::cos(angle), std::sin(angle));
-  }
-  return polygon;
-}
 
 /// A saw blade on which many vertices are straight: every edge cut into three on a grid of powers of two.
 Points with_straight_corners(const Points& polygon) {

@@ -1,5 +1,6 @@
 #include <polyfem/core/error.hpp>
 #include <polyfem/geometry/validity.hpp>
+#include <tests/support/domains.hpp>
 #include <tests/support/random_polygon.hpp>
 
 #include <gtest/gtest.h>
@@ -8,15 +9,9 @@
 #include <limits>
 
 using namespace polyfem;
+using support::polygon_of;
 
 namespace {
-
-Points polygon_of(std::initializer_list<Vec2> vertices) {
-  Points polygon(2, static_cast<Index>(vertices.size()));
-  Index k = 0;
-  for (const Vec2& vertex : vertices) polygon.col(k++) = vertex;
-  return polygon;
-}
 
 struct DefectCase {
   const char* name;
