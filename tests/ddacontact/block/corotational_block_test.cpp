@@ -238,25 +238,6 @@ TEST_P(CorotationalBlocks, TheTangentIsTheDerivativeOfTheForcesOfAnUnstrainedBlo
   });
 }
 
-/// For any displacements: the elastic force does the work that is stored, inertia what changes the kinetic
-/// energy.
-TEST_P(CorotationalBlocks, ForcesOfTheMidpointSchemeDoTheWorkOfTheirEnergies) {
-  for_each_block([](OneBlock one) {
-    one.excite(5);
-    one.begin(rule_of(Scheme::midpoint), 0.02);
-    const VectorXd d = 0.02 * one.state.velocity + 0.02 * VectorXd::Random(one.n());
-    BlockForces f;
-    one.begun->forces(d, f);
-    const double stored = one.begun->stored_energy(d), scale = one.energy();
-    EXPECT_NEAR(d.dot(f.elastic), stored, 1e-12 * scale);
-
-    const double kinetic = one.kinetic(), elastic = one.block().elastic_energy(one.state);
-    one.begun->end(d, VectorXd::Zero(one.n()), false, one.state);
-    EXPECT_NEAR(one.block().elastic_energy(one.state) - elastic, stored, 1e-12 * scale);
-    EXPECT_NEAR(d.dot(f.inertia), one.kinetic() - kinetic, 1e-12 * (kinetic + one.kinetic()));
-  });
-}
-
 TEST_P(CorotationalBlocks, EnergyStaysWithTheMidpointSchemeAndNeverGrowsWithTheDecayingOne) {
   for_each_block([](OneBlock one) {
     one.excite(5);
