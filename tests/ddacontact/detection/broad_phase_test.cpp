@@ -47,7 +47,8 @@ Vec2 grid_point(int side, std::mt19937& random) {
 
 }  // namespace
 
-/// Of equal and different sizes, touching, without extent, the same ones, far from the origin and from each other.
+/// Of equal and different sizes, touching, without extent, the same ones, far from the origin and from each
+/// other.
 TEST(BroadPhase, FindsAllPairsOfBoxesOfAnyKind) {
   expect_all_pairs("equal", 500, [](auto& r) { return box_between(point(8, r), {1, 1}); });
   expect_all_pairs("1:100", 500, [](auto& r) {
