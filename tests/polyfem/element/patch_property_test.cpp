@@ -1,7 +1,7 @@
 // The patch test of every rule, basis and correction, on cells of every kind, near the origin and far from
 // it: the weights sum to the area, and a linear displacement field has its constant stress at every
-// integration point and its tractions as nodal forces, a rotation none. The forces need the gradient correction; without it
-// their errors are those of the rule.
+// integration point and its tractions as nodal forces, a rotation none. The forces need the gradient
+// correction; without it their errors are those of the rule.
 #include <polyfem/basis/mean_value.hpp>
 #include <polyfem/basis/wachspress.hpp>
 #include <polyfem/element/definiteness.hpp>
