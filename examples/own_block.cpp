@@ -40,16 +40,16 @@ class RigidBlock final : public IncrementalBlock {
 
  private:
   void take_shape(const PointsRef& outline) override {
-    const polyfem::AreaMoments moments = polyfem::area_moments(outline);
+    moments_ = polyfem::area_moments(outline);
     for (int v = 0; v < n_vertices(); ++v) {
-      const Vec2 r = outline.col(v) - moments.centroid;
+      const Vec2 r = outline.col(v) - moments_.centroid;
       maps_[v] = {{{0, Vec2(1, 0)}, {1, Vec2(0, 1)}, {2, Vec2(-r.y(), r.x())}}};
     }
     translations_ = MatrixXd::Identity(3, 2);
     rotation_ = Vec3(0, 0, 1);
     stiffness_ = MatrixXd::Zero(3, 3);
-    const Vec3 inertia(moments.area, moments.area, moments.second.trace());
-    mass_ = density_on(moments) * MatrixXd(inertia.asDiagonal());
+    const Vec3 inertia(moments_.area, moments_.area, moments_.second.trace());
+    mass_ = density() * MatrixXd(inertia.asDiagonal());
   }
 
   std::vector<std::array<PointMap::Term, 3>> maps_;  ///< of each outline vertex

@@ -43,17 +43,10 @@ double Block::furthest_vertex(const VectorXd& d) const {
   return std::sqrt(furthest);
 }
 
-VectorXd Block::rotation(const BlockState& state) const {
-  VectorXd unknowns(n_unknowns());
-  rotation(state, unknowns);
-  return unknowns;
-}
-
 RigidModes Block::rigid_modes(const BlockState& state) const {
   RigidModes modes;
   modes.resize(n_unknowns(), Eigen::NoChange);
-  modes.leftCols<2>() = translations();
-  rotation(state, modes.col(2));
+  modes << translations(), rotation(state);
   return modes;
 }
 

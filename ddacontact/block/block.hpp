@@ -100,14 +100,13 @@ class Block {
   /// Mass matrix M, n_unknowns x n_unknowns.
   MatrixXd mass() const { return times_mass(MatrixXd::Identity(n_unknowns(), n_unknowns())); }
   /// Kinetic energy v M v / 2, J per m.
-  virtual double kinetic_energy(const Eigen::Ref<const VectorXd>& velocity) const {
+  virtual double kinetic_energy(const VectorIn& velocity) const {
     return velocity.dot(times_mass(velocity).col(0)) / 2;
   }
   /// Unknowns of a unit translation in x and in y: n_unknowns x 2.
   virtual const Eigen::Matrix<double, Eigen::Dynamic, 2>& translations() const = 0;
   /// Writes the unknowns of a unit rotation about the centroid.
-  virtual void rotation(const BlockState& state, Eigen::Ref<VectorXd> unknowns) const = 0;
-  VectorXd rotation(const BlockState& state) const;
+  virtual VectorXd rotation(const BlockState& state) const = 0;
   /// The two translations and the rotation.
   RigidModes rigid_modes(const BlockState& state) const;
   /// The integration points (2 x n_stress_points) from the centroid, in the frame that stresses are kept in.

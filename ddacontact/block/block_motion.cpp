@@ -39,16 +39,15 @@ auto BlockMotion::with_motion(const VectorIn& d, const Work& work) const {
 
 void BlockMotion::begin(const StepRule& rule, double dt, const VectorIn& coordinates,
                         const VectorIn& velocity, const VectorIn& initial) {
-  start_.take_matrices(shape_, rule, dt);
+  if (!matrices_ || !matrices_->are_for(rule, dt)) matrices_ = step_matrices(shape_, rule, dt);
   const MotionShape& motions = shape_.motions();
   const Index m = motions.n_nodes();
   assert(coordinates.size() == BlockState::n_rigid + 2 * m && coordinates.allFinite());
-  start_.arrays.resize(
-      static_cast<std::size_t>((initial.size() > 0 ? stress_forces + 1 : stress_forces) * m));
+  arrays_.resize(static_cast<std::size_t>((initial.size() > 0 ? stress_forces + 1 : stress_forces) * m));
   with_nodes(shape_, [&]<class Of>(const NodalKinematics<Of>& nodes) {
     using Vectors = typename Of::Vectors;
     const auto put = [&](Array k, const Vectors& of_nodes) {
-      Eigen::Map<Vectors, Eigen::Aligned16>(start_.arrays[k * m].data(), 2, m) = of_nodes;
+      Eigen::Map<Vectors, Eigen::Aligned16>(arrays_[k * m].data(), 2, m) = of_nodes;
     };
     const Vectors u = coordinates.tail(2 * m).reshaped(2, m), Z = motions.nodes + u,
                   of_shape = nodes.weighted(Z);
@@ -72,8 +71,8 @@ void BlockMotion::begin(const StepRule& rule, double dt, const VectorIn& coordin
 
 void BlockMotion::forces(const VectorIn& d, BlockForces& forces) const {
   forces.resize(d.size());
-  forces.elastic.setZero();
-  forces.damping.setZero();
+  forces.elastic().setZero();
+  forces.damping().setZero();
   with_motion(d, [&]<class Of>(const NodalKinematics<Of>& nodes, const Velocities<Of>& way) {
     using Vectors = typename Of::Vectors;
     const MotionShape& motions = shape_.motions();
@@ -91,13 +90,13 @@ void BlockMotion::forces(const VectorIn& d, BlockForces& forces) const {
     f -= of_deformation.lazyProduct(motions.weights.transpose());
     f = (turn_ * f).eval();
     f += linear.lazyProduct(motions.weights.transpose());
-    nodes.forces_on_unknowns(f, forces.inertia);
+    nodes.forces_on_unknowns(f, forces.inertia());
   });
 }
 
 void BlockMotion::tangent(const VectorIn&, std::span<MatrixXd> parts) const {
   for (std::size_t c = 0; c < parts.size(); ++c) {
-    polyfem::rotate(start_.matrices->tangents[c], turn_, parts[c]);
+    polyfem::rotate(matrices_->tangents[c], turn_, parts[c]);
     const MatrixXd& B = shape_.cells[c].nodes_by_unknowns;
     if (B.size() > 0) parts[c] = (B.transpose() * parts[c] * B).eval();
   }
@@ -107,9 +106,7 @@ void BlockMotion::free_path(VectorOut d) const {
   with_nodes(shape_, [&]<class Of>(const NodalKinematics<Of>& nodes) {
     using Vectors = typename Of::Vectors;
     const Vectors rates = angular_before_ * left_of_shape<Of>() + array<Of>(deforming);
-    Vectors path = turn_ * rates;
-    path += linear_before_.lazyProduct(shape_.motions().translation.transpose());
-    nodes.to_unknowns(dt() * path, d);
+    nodes.to_unknowns(dt() * (turn_ * rates + nodes.everywhere(linear_before_)), d);
   });
 }
 
@@ -119,7 +116,7 @@ void BlockMotion::displacement(const VectorIn& d, VectorOut displaced) const {
     Vectors moved =
         turn_less_one(way.angular) * array<Of>(shape_now) + turned_by(way.angular) * way.deformation;
     moved = (turn_ * moved).eval();
-    moved += way.linear.lazyProduct(shape_.motions().translation.transpose());
+    moved += nodes.everywhere(way.linear);
     nodes.to_unknowns(moved, displaced);
   });
 }
@@ -129,7 +126,7 @@ double BlockMotion::stored_energy(const VectorIn& d) const {
     using Vectors = typename Of::Vectors;
     const Vectors middle = array<Of>(shape_now) - shape_.motions().nodes + way.deformation / 2;
     double stored = times_stiffness<Of>(middle).cwiseProduct(way.deformation).sum();
-    if (std::ssize(start_.arrays) > stress_forces * shape_.motions().n_nodes())
+    if (std::ssize(arrays_) > stress_forces * shape_.motions().n_nodes())
       stored += array<Of>(stress_forces).cwiseProduct(way.deformation).sum();
     return stored;
   });
@@ -169,22 +166,7 @@ Vec3 BlockMotion::resultant(const VectorIn& d) const {
 }
 
 void BlockMotion::end(const VectorIn& d, const VectorIn& external, bool is_free, BlockState& next) const {
-  const VectorXd none;
-  const VectorIn forces = is_free ? external : VectorIn(none);
-  auto points = block_.points().columns_of(next.position);
-  auto velocity = block_.unknowns().of(next.carried);
-  if (next.coordinates.size() > 0) {
-    end(d, forces, block_.coordinates().of(next.coordinates), points, velocity);
-  } else {
-    VectorXd of_block =
-        shape_.motions().coordinates_of(NodalKinematics<polyfem::AnyNodes>(shape_).of_points(points));
-    end(d, forces, of_block, points, velocity);
-  }
-  block_.follow_with_origin(next);
-}
-
-void BlockMotion::end(const VectorIn& d, const VectorIn& external, VectorOut coordinates,
-                      Eigen::Ref<Points> points, VectorOut velocity) const {
+  auto coordinates = block_.coordinates().of(next.coordinates);
   with_motion(d, [&]<class Of>(const NodalKinematics<Of>& nodes, Velocities<Of> way) {
     using Vectors = typename Of::Vectors;
     const MotionShape& motions = shape_.motions();
@@ -193,18 +175,18 @@ void BlockMotion::end(const VectorIn& d, const VectorIn& external, VectorOut coo
     coordinates[2] += way.angular;
     // Round-off that is rigid in the deformation would add up, and turn with the block.
     Vectors u = coordinates.tail(2 * m).reshaped(2, m) + way.deformation;
-    u -= Vec2(u.lazyProduct(motions.weights)).lazyProduct(motions.translation.transpose());
+    u -= nodes.everywhere(u.lazyProduct(motions.weights));
     u -= motions.turning.cwiseProduct(u).sum() / motions.rest_inertia * left(Vectors(motions.nodes));
     coordinates.tail(2 * m) = u.reshaped();
     const Vectors Z = motions.nodes + u;
     const Mat2 turn = turned_by(coordinates[2]);
     Vectors y = turn * Z;
-    y += Vec2(coordinates.head<2>()).lazyProduct(motions.translation.transpose());
-    nodes.put_points(y, points);
+    y += nodes.everywhere(coordinates.head<2>());
+    nodes.put_points(y, block_.points().columns_of(next.position));
 
     Vec2 linear = way.linear / dt();
     double angular = way.angular / dt();
-    if (external.size() > 0) {
+    if (is_free) {
       const double h = impulse_time(), damped = 1 + h * damping().mass;
       const Vectors turning = turn_ * left_of_shape<Of>();
       const Vec2 force(nodes.work(external, nodes.everywhere(Vec2::UnitX())),
@@ -215,11 +197,12 @@ void BlockMotion::end(const VectorIn& d, const VectorIn& external, VectorOut coo
     angular *= inertia_ / nodes.weighted(Z).cwiseProduct(Z).sum();
     const Vectors rates = angular * left(Z) + way.deformation / dt();
     Vectors v = turn * rates;
-    v += linear.lazyProduct(motions.translation.transpose());
+    v += nodes.everywhere(linear);
     // The weights sum to one but for round-off, which would add up from step to step.
-    v += Vec2(linear - v.lazyProduct(motions.weights)).lazyProduct(motions.translation.transpose());
-    nodes.to_unknowns(v, velocity);
+    v += nodes.everywhere(linear - v.lazyProduct(motions.weights));
+    nodes.to_unknowns(v, block_.unknowns().of(next.carried));
   });
+  block_.follow_with_origin(next);
 }
 
 }  // namespace ddacontact

@@ -19,9 +19,6 @@ namespace ddacontact {
 /// The step of a block that its motions carry on, on the shape at its start.
 class BlockMotion final : public BlockStep {
  public:
-  using VectorIn = Eigen::Ref<const VectorXd>;
-  using VectorOut = Eigen::Ref<VectorXd>;
-
   /// Keeps references.
   BlockMotion(const Block& block, const CorotationalShape& shape) : block_(block), shape_(shape) {}
 
@@ -40,6 +37,9 @@ class BlockMotion final : public BlockStep {
   void tangent(const VectorIn& d, std::span<MatrixXd> parts) const override;
   void displacement(const VectorIn& d, VectorOut displaced) const override;
   double stored_energy(const VectorIn& d) const override;
+  /// The velocities are those in the middle of the step, on the shape at its end, which has the angular momentum
+  /// of the step. A free block takes its momenta from `external`: what is left of these forces in d has the
+  /// solution's error.
   void end(const VectorIn& d, const VectorIn& external, bool is_free, BlockState& next) const override;
 
   /// Energy taken by Rayleigh damping, and by the scheme from the work of elastic forces and of inertia
@@ -50,13 +50,6 @@ class BlockMotion final : public BlockStep {
   Losses losses(const VectorIn& d) const;
   /// Mass and moment of inertia times the accelerations, N and N m per m.
   Vec3 resultant(const VectorIn& d) const;
-  /// Writes the block after the step: its coordinates (those at the start are given) and points, and the
-  /// velocities of its unknowns on that shape in the middle of the step; the angular momentum is that of the
-  /// step.
-  /// \param[in] external  all forces on the unknowns of a free block, which takes its momenta from them: what
-  ///                      is left of them in d has the solution's error; empty: it has supports
-  void end(const VectorIn& d, const VectorIn& external, VectorOut coordinates, Eigen::Ref<Points> points,
-           VectorOut velocity) const;
 
  private:
   /// (vc, omega, u') of velocities of the nodes.
@@ -80,21 +73,22 @@ class BlockMotion final : public BlockStep {
   template <class Of>
   auto array(Array k) const {
     const Index m = shape_.motions().n_nodes();
-    return Eigen::Map<const typename Of::Vectors, Eigen::Aligned16>(start_.arrays[k * m].data(), 2, m);
+    return Eigen::Map<const typename Of::Vectors, Eigen::Aligned16>(arrays_[k * m].data(), 2, m);
   }
   template <class Of>
   typename Of::Vectors left_of_shape() const {
     return left(typename Of::Vectors(array<Of>(shape_now)));
   }
 
-  bool is_explicit() const { return start_.matrices->rule.is_explicit(); }
-  const RayleighDamping& damping() const { return start_.matrices->rule.damping; }
-  double dt() const { return start_.matrices->dt; }
-  double impulse_time() const { return start_.matrices->rule.impulse_time * dt(); }
+  bool is_explicit() const { return matrices_->rule.is_explicit(); }
+  const RayleighDamping& damping() const { return matrices_->rule.damping; }
+  double dt() const { return matrices_->dt; }
+  double impulse_time() const { return matrices_->rule.impulse_time * dt(); }
 
   const Block& block_;
   const CorotationalShape& shape_;
-  CorotationalStart start_;
+  std::shared_ptr<const StepMatrices> matrices_;
+  std::vector<Vec2> arrays_;
   Vec2 linear_before_;  ///< vc
   double angular_before_ = 0;
   double inertia_ = 0, leverage_ = 0;  ///< Z M Z and X M Z with Z = X + u

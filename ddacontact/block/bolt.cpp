@@ -5,13 +5,10 @@
 namespace ddacontact {
 
 bool acts(const Bolt& bolt, const BlockSystem& blocks) {
-  bool any_moves = false, any_segment = false;
-  for (int k = 0; k < bolt.n_segments(); ++k) {
-    if (!bolt.has_segment(k)) continue;
-    any_segment = true;
-    for (int node : {k, k + 1}) any_moves = any_moves || !blocks.is_unchanging(bolt.nodes[node].block);
-  }
-  return bolt.installed && any_segment && any_moves;
+  const auto moves = [&](int node) { return !blocks.is_unchanging(bolt.nodes[node].block); };
+  for (int k = 0; bolt.installed && k < bolt.n_segments(); ++k)
+    if (bolt.has_segment(k) && (moves(k) || moves(k + 1))) return true;
+  return false;
 }
 
 Vec2 segment_vector(const Bolt& bolt, int segment, const BlockSystem& blocks, const BlockState& state) {

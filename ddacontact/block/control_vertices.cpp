@@ -1,6 +1,8 @@
 #include <ddacontact/block/control_vertices.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <ranges>
 #include <utility>
 
 namespace ddacontact {
@@ -11,12 +13,8 @@ namespace {
 decltype(ControlVertices::x) choose_three(const PointsRef& outline, const std::vector<bool>& held) {
   const int n = static_cast<int>(outline.cols());
   const auto best = [&](const auto& score) {
-    int chosen = 0;
-    for (int v = 1; v < n; ++v)
-      if (std::pair(held[v] && score(v) > 0, score(v)) >
-          std::pair(held[chosen] && score(chosen) > 0, score(chosen)))
-        chosen = v;
-    return chosen;
+    return std::ranges::max(std::views::iota(0, n), {},
+                            [&](int v) { return std::pair(held[v] && score(v) > 0, score(v)); });
   };
   const int a = best([](int) { return 1.0; });
   const Vec2 p = outline.col(a);

@@ -40,7 +40,7 @@ MatrixXd CorotationalBlock::times_mass(const Eigen::Ref<const MatrixXd>& velocit
   return momenta;
 }
 
-double CorotationalBlock::kinetic_energy(const Eigen::Ref<const VectorXd>& velocity) const {
+double CorotationalBlock::kinetic_energy(const VectorIn& velocity) const {
   return with_nodes(*shape_, [&](const auto& nodes) {
     const auto v = nodes.to_nodes(velocity);
     return nodes.weighted(v).cwiseProduct(v).sum() / 2;
@@ -55,10 +55,12 @@ void CorotationalBlock::add_body_force(const Vec2& b, VectorXd& F) const {
   });
 }
 
-void CorotationalBlock::rotation(const BlockState& state, Eigen::Ref<VectorXd> unknowns) const {
+VectorXd CorotationalBlock::rotation(const BlockState& state) const {
+  VectorXd unknowns(n_unknowns());
   with_nodes(*shape_, [&](const auto& nodes) {
     nodes.to_unknowns(nodes.spin(nodes.of_points(points().columns_of(state.position))), unknowns);
   });
+  return unknowns;
 }
 
 TensorsRef CorotationalBlock::initial_stress(const BlockState& state) const {
@@ -227,13 +229,8 @@ void CorotationalBlock::begin_step(const BlockState& state, const StepStart& sta
   if (rule.is_explicit() && start.dt > longest_explicit_step(*shape_, rule.damping))
     rule.scheme = Scheme::decaying;
   if (rule.has_half_steps()) {
-    BlockMotion& motion = renew<BlockMotion>(step);
-    const VectorXd initial = initial_force(state);
-    if (state.coordinates.size() > 0)
-      motion.begin(rule, start.dt, coordinates().of(state.coordinates), u.of(start.velocity), initial);
-    else
-      motion.begin(rule, start.dt, shape_->motions().coordinates_of(nodes(state)), u.of(start.velocity),
-                   initial);
+    renew<BlockMotion>(step).begin(rule, start.dt, coordinates().of(state.coordinates), u.of(start.velocity),
+                                   initial_force(state));
     return;
   }
   with_nodes(*shape_, [&]<class Of>(const NodalKinematics<Of>& nodes) {

@@ -30,15 +30,14 @@ class CorotationalBlock final : public Block {
   const Eigen::Matrix<double, Eigen::Dynamic, 2>& translations() const override {
     return shape_->translations;
   }
-  using Block::rotation;
-  void rotation(const BlockState& state, Eigen::Ref<VectorXd> unknowns) const override;
+  VectorXd rotation(const BlockState& state) const override;
   MatrixXd times_mass(const Eigen::Ref<const MatrixXd>& velocities) const override;
   void add_body_force(const Vec2& b, VectorXd& F) const override;
   void begin_step(const BlockState& state, const StepStart& start,
                   std::unique_ptr<BlockStep>& step) const override;
   int n_parts() const override { return n_cells(); }
   std::vector<int> part_unknowns(int part) const override { return shape_->cells[part].unknowns; }
-  double kinetic_energy(const Eigen::Ref<const VectorXd>& velocity) const override;
+  double kinetic_energy(const VectorIn& velocity) const override;
   Tensors stress(const BlockState& state) const override;
   double elastic_energy(const BlockState& state) const override;
   Points strain_displacement(const BlockState& state) const override;

@@ -20,24 +20,24 @@ class NodalKinematics {
   Index n_nodes() const { return shape_.nodes.cols(); }
 
   /// Changes or velocities of the nodes, 2 x m, by those of the unknowns, and back.
-  [[gnu::always_inline]] Vectors to_nodes(const Eigen::Ref<const VectorXd>& d) const {
+  [[gnu::always_inline]] Vectors to_nodes(const VectorIn& d) const {
     if (!shape_.has_basis()) return Eigen::Map<const Vectors>(d.data(), 2, n_nodes());
     return Stacked(shape_.basis * d).reshaped(2, n_nodes());
   }
-  void to_unknowns(const Vectors& changes, Eigen::Ref<VectorXd> d) const {
+  void to_unknowns(const Vectors& changes, VectorOut d) const {
     if (!shape_.has_basis())
       Eigen::Map<Vectors>(d.data(), 2, n_nodes()) = changes;
     else
       d = shape_.inverse_basis * Stacked(changes.reshaped());
   }
-  void forces_on_unknowns(const Vectors& on_nodes, Eigen::Ref<VectorXd> f) const {
+  void forces_on_unknowns(const Vectors& on_nodes, VectorOut f) const {
     if (!shape_.has_basis())
       Eigen::Map<Vectors>(f.data(), 2, n_nodes()) = on_nodes;
     else
       f = shape_.basis.transpose() * Stacked(on_nodes.reshaped());
   }
   /// The work of forces of the unknowns on a motion of the nodes.
-  double work(const Eigen::Ref<const VectorXd>& forces, const Vectors& motion) const {
+  double work(const VectorIn& forces, const Vectors& motion) const {
     if (!shape_.has_basis())
       return Eigen::Map<const Vectors>(forces.data(), 2, n_nodes()).cwiseProduct(motion).sum();
     return forces.dot(shape_.inverse_basis * Stacked(motion.reshaped()));
@@ -104,20 +104,18 @@ class NodalKinematics {
     for (std::size_t k = 0; k < nodes.size(); ++k)
       on_nodes.col(nodes[k]) += f.template segment<2>(2 * static_cast<Index>(k));
   }
+  Vectors of_cell(const ShapeCell& cell, const Vectors& y) const {
+    return cell.nodes.empty() ? y : Vectors(y(Eigen::all, cell.nodes));
+  }
   polyfem::CorotatedFrameOf<Of> frame(const Vectors& y, std::size_t c) const {
     const ShapeCell& cell = shape_.cells[c];
     polyfem::CorotatedFrameOf<Of> frame;
-    if (cell.nodes.empty())
-      cell.elastic.frame(y, frame);
-    else
-      cell.elastic.frame(Vectors(y(Eigen::all, cell.nodes)), frame);
+    cell.elastic.frame(of_cell(cell, y), frame);
     return frame;
   }
   /// Rotation of the cell's frame.
   Mat2 cell_rotation(const Vectors& y, std::size_t c) const {
-    const ShapeCell& cell = shape_.cells[c];
-    if (cell.nodes.empty()) return cell.elastic.template rotation<Of>(y);
-    return cell.elastic.template rotation<Of>(y(Eigen::all, cell.nodes));
+    return shape_.cells[c].elastic.template rotation<Of>(of_cell(shape_.cells[c], y));
   }
 
  private:

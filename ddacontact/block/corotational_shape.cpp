@@ -1,6 +1,7 @@
 #include <ddacontact/block/corotational_shape.hpp>
 
 #include <ddacontact/block/corotational_motion.hpp>
+#include <ddacontact/core/sort_once.hpp>
 #include <ddacontact/core/tolerances.hpp>
 #include <polyfem/basis/suitable_basis.hpp>
 #include <polyfem/basis/wachspress.hpp>
@@ -81,8 +82,7 @@ void find_unknowns(CorotationalShape& shape) {
     for (int row : rows)
       for (Row::InnerIterator entry(shape.basis, row); entry; ++entry)
         cell.unknowns.push_back(static_cast<int>(entry.col()));
-    std::sort(cell.unknowns.begin(), cell.unknowns.end());
-    cell.unknowns.erase(std::unique(cell.unknowns.begin(), cell.unknowns.end()), cell.unknowns.end());
+    sort_once(cell.unknowns);
     cell.nodes_by_unknowns =
         MatrixXd::Zero(static_cast<Index>(rows.size()), static_cast<Index>(cell.unknowns.size()));
     for (std::size_t k = 0; k < rows.size(); ++k)
@@ -144,8 +144,7 @@ void complete(CorotationalShape& shape) {
 /// A matrix of m nodes acting on x and y alike, 2m x 2m.
 MatrixXd both_axes(const MatrixXd& M) {
   MatrixXd both = MatrixXd::Zero(2 * M.rows(), 2 * M.cols());
-  for (Index a = 0; a < M.rows(); ++a)
-    for (Index b = 0; b < M.cols(); ++b) both(2 * a, 2 * b) = both(2 * a + 1, 2 * b + 1) = M(a, b);
+  for (int axis : {0, 1}) both(Eigen::seq(axis, Eigen::last, 2), Eigen::seq(axis, Eigen::last, 2)) = M;
   return both;
 }
 
@@ -190,10 +189,6 @@ std::shared_ptr<const StepMatrices> step_matrices(const CorotationalShape& shape
   if (!last || !last->are_for(rule, dt))
     last = std::make_shared<const StepMatrices>(StepMatrices{rule, dt, tangents(shape, rule, dt)});
   return last;
-}
-
-void CorotationalStart::take_matrices(const CorotationalShape& shape, const StepRule& rule, double dt) {
-  if (!matrices || !matrices->are_for(rule, dt)) matrices = step_matrices(shape, rule, dt);
 }
 
 CorotationalShape polygon_shape(const BlockMaterial& material, const PointsRef& block_outline,
@@ -283,22 +278,14 @@ CorotationalShape mesh_shape(const BlockMaterial& material, const BlockMesh& mes
     shape.cells.back().nodes = corners;
   }
 
-  std::vector<Eigen::Triplet<double>> mass;
-  for (const ShapeCell& cell : shape.cells)
-    for (std::size_t a = 0; a < cell.nodes.size(); ++a)
-      for (std::size_t b = 0; b < cell.nodes.size(); ++b)
-        mass.emplace_back(cell.nodes[a], cell.nodes[b],
-                          cell.mass(static_cast<Index>(a), static_cast<Index>(b)));
-  shape.mass.resize(n, n);
-  shape.mass.setFromTriplets(mass.begin(), mass.end());
+  shape.mass = sum_of_cells(shape, 1, [](const ShapeCell& cell) -> const MatrixXd& { return cell.mass; });
 
   if (!mesh.on_straight_edges.empty()) {
     const int independent = static_cast<int>(n) - static_cast<int>(mesh.on_straight_edges.size());
-    std::vector<Eigen::Triplet<double>> basis, inverse;
-    for (int u = 0; u < 2 * independent; ++u) {
-      basis.emplace_back(u, u, 1);
-      inverse.emplace_back(u, u, 1);
-    }
+    std::vector<Eigen::Triplet<double>> basis;
+    for (int u = 0; u < 2 * independent; ++u) basis.emplace_back(u, u, 1);
+    shape.inverse_basis.resize(2 * independent, 2 * n);
+    shape.inverse_basis.setFromTriplets(basis.begin(), basis.end());
     for (const BlockMesh::EdgePoint& on : mesh.on_straight_edges)
       for (int axis = 0; axis < 2; ++axis) {
         basis.emplace_back(2 * on.point + axis, 2 * on.start + axis, 1 - on.along);
@@ -306,8 +293,6 @@ CorotationalShape mesh_shape(const BlockMaterial& material, const BlockMesh& mes
       }
     shape.basis.resize(2 * n, 2 * independent);
     shape.basis.setFromTriplets(basis.begin(), basis.end());
-    shape.inverse_basis.resize(2 * independent, 2 * n);
-    shape.inverse_basis.setFromTriplets(inverse.begin(), inverse.end());
   }
   complete(shape);
   return shape;

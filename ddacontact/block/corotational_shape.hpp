@@ -6,17 +6,27 @@
 #include <ddacontact/block/control_vertices.hpp>
 #include <ddacontact/block/integration.hpp>
 #include <ddacontact/block/motion_shape.hpp>
-#include <ddacontact/block/step_matrices.hpp>
+#include <ddacontact/block/step_start.hpp>
 #include <polyfem/element/corotation.hpp>
 
 #include <Eigen/SparseCore>
 
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <vector>
 
 namespace ddacontact {
+
+/// The tangents of a shape's cells in a step by this rule and of this length, not turned.
+struct StepMatrices {
+  StepRule rule;
+  double dt = 0;
+  std::vector<MatrixXd> tangents;
+
+  bool are_for(const StepRule& of_rule, double of_dt) const { return rule == of_rule && dt == of_dt; }
+};
 
 /// A part of a block with a frame and a stiffness of its own.
 struct ShapeCell {
@@ -77,6 +87,10 @@ struct CorotationalShape {
   bool has_basis() const { return basis.size() > 0; }
   Index n_unknowns() const { return has_basis() ? basis.cols() : 2 * nodes.cols(); }
 };
+
+/// The sum of matrices of the cells, which have `per_node` rows and columns for each node of their own.
+Eigen::SparseMatrix<double> sum_of_cells(const CorotationalShape& shape, int per_node,
+                                         const std::function<const MatrixXd&(const ShapeCell&)>& of_cell);
 
 /// The step below which central differences are stable for the shape: with damping, whose forces are those of
 /// velocities half a step before, (2 / w) (sqrt(1 + z^2) - z) with the damping ratio z at the highest

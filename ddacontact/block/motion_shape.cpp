@@ -8,25 +8,19 @@
 
 namespace ddacontact {
 
-namespace {
-
-Eigen::SparseMatrix<double> stiffness_of(const CorotationalShape& shape) {
-  const Index n = 2 * shape.nodes.cols();
+Eigen::SparseMatrix<double> sum_of_cells(const CorotationalShape& shape, int per_node,
+                                         const std::function<const MatrixXd&(const ShapeCell&)>& of_cell) {
   std::vector<Eigen::Triplet<double>> entries;
-  for (const ShapeCell& cell : shape.cells)
-    for (std::size_t a = 0; a < cell.nodes.size(); ++a)
-      for (std::size_t b = 0; b < cell.nodes.size(); ++b)
-        for (int i = 0; i < 2; ++i)
-          for (int j = 0; j < 2; ++j)
-            entries.emplace_back(
-                2 * cell.nodes[a] + i, 2 * cell.nodes[b] + j,
-                cell.elastic.stiffness()(2 * static_cast<Index>(a) + i, 2 * static_cast<Index>(b) + j));
-  Eigen::SparseMatrix<double> K(n, n);
-  K.setFromTriplets(entries.begin(), entries.end());
-  return K;
+  for (const ShapeCell& cell : shape.cells) {
+    const MatrixXd& A = of_cell(cell);
+    const auto row = [&](Index k) { return per_node * cell.nodes[k / per_node] + k % per_node; };
+    for (Index k = 0; k < A.rows(); ++k)
+      for (Index l = 0; l < A.cols(); ++l) entries.emplace_back(row(k), row(l), A(k, l));
+  }
+  Eigen::SparseMatrix<double> sum(per_node * shape.nodes.cols(), per_node * shape.nodes.cols());
+  sum.setFromTriplets(entries.begin(), entries.end());
+  return sum;
 }
-
-}  // namespace
 
 Mat2 turned_by(double angle) {
   return turned_to({std::cos(angle), std::sin(angle)});
@@ -46,7 +40,9 @@ MotionShape::MotionShape(const CorotationalShape& shape)
   weighted = shape.is_one_cell() ? Points(nodes * shape.cells[0].mass) : Points(nodes * shape.mass);
   turning = left(weighted);
   rest_inertia = weighted.cwiseProduct(nodes).sum();
-  if (!shape.is_one_cell()) stiffness = stiffness_of(shape);
+  if (!shape.is_one_cell())
+    stiffness = sum_of_cells(
+        shape, 2, [](const ShapeCell& cell) -> const MatrixXd& { return cell.elastic.stiffness(); });
 }
 
 VectorXd MotionShape::coordinates_of(const PointsRef& y) const {

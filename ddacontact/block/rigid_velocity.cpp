@@ -6,8 +6,7 @@ RigidVelocity rigid_velocity(const Block& block, const BlockState& state, const 
   return rigid_velocity_by(block, state, block.times_mass(block.unknowns().of(velocity)).col(0));
 }
 
-RigidVelocity rigid_velocity_by(const Block& block, const BlockState& state,
-                                const Eigen::Ref<const VectorXd>& momenta) {
+RigidVelocity rigid_velocity_by(const Block& block, const BlockState& state, const VectorIn& momenta) {
   const auto modes = block.rigid_modes(state);
   const Vec3 momentum = modes.transpose() * momenta,
              inertia = (modes.transpose() * block.times_mass(modes)).diagonal();

@@ -15,8 +15,7 @@ struct RigidVelocity {
 /// \param[in] velocity  of all unknowns of the system
 RigidVelocity rigid_velocity(const Block& block, const BlockState& state, const VectorXd& velocity);
 /// \param[in] momenta  of the block's own unknowns: forces make accelerations so
-RigidVelocity rigid_velocity_by(const Block& block, const BlockState& state,
-                                const Eigen::Ref<const VectorXd>& momenta);
+RigidVelocity rigid_velocity_by(const Block& block, const BlockState& state, const VectorIn& momenta);
 /// Velocities of the block's own unknowns in this rigid motion.
 VectorXd as_velocity(const Block& block, const BlockState& state, const RigidVelocity& rigid);
 

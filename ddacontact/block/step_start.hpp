@@ -82,25 +82,19 @@ struct StepStart {
 /// serves blocks of all sizes, one after another.
 class BlockForces {
  public:
-  BlockForces() = default;
-  BlockForces(BlockForces&&) = default;
-
   void resize(Index n_unknowns) {
-    if (elastic.size() == n_unknowns) return;
-    const auto parts = {&elastic, &inertia, &damping};
-    storage_.resize(std::max(storage_.size(), static_cast<Index>(parts.size()) * n_unknowns));
-    double* numbers = storage_.data();
-    for (Forces* part : parts) {
-      new (part) Forces(numbers, n_unknowns);  // how Eigen has a Map look elsewhere
-      numbers += n_unknowns;
-    }
+    n_ = n_unknowns;
+    if (storage_.rows() < n_) storage_.resize(n_, n_parts);
   }
-
-  using Forces = Eigen::Map<VectorXd>;
-  Forces elastic{nullptr, 0}, inertia{nullptr, 0}, damping{nullptr, 0};
+  auto elastic() { return storage_.col(of_elasticity).head(n_); }
+  auto inertia() { return storage_.col(of_inertia).head(n_); }
+  auto damping() { return storage_.col(of_damping).head(n_); }
 
  private:
-  VectorXd storage_;
+  enum Part { of_elasticity, of_inertia, of_damping, n_parts };
+
+  MatrixXd storage_;
+  Index n_ = 0;
 };
 
 }  // namespace ddacontact

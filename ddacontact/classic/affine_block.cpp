@@ -66,7 +66,7 @@ void AffineBlock::take_shape(const PointsRef& outline) {
   for (int i = 2; i < n_unknowns(); ++i)
     for (int j = 2; j < n_unknowns(); ++j)
       M(i, j) = (gradient(i) * moments_.second * gradient(j).transpose()).trace();
-  mass_ = density_on(moments_) * basis_.transpose() * M * basis_;
+  mass_ = density() * basis_.transpose() * M * basis_;
 
   integration_weights_ = VectorXd::Constant(1, area);
 }

@@ -38,7 +38,6 @@ class AffineBlock final : public IncrementalBlock {
   void take_shape(const PointsRef& outline) override;
 
   std::optional<ControlVertices> control_;
-  polyfem::AreaMoments moments_;
   Mat6 basis_;  ///< (1) = basis_ * unknowns
   std::vector<std::array<PointMap::Term, PointMap::capacity>>
       vertex_maps_;  ///< T (3) * basis_ at each outline vertex

@@ -20,24 +20,23 @@ class IncrementalStep final : public BlockStep {
     stress_forces_ = -u.of(F);
   }
 
-  void free_path(Eigen::Ref<VectorXd> path) const override { path = path_; }
+  void free_path(VectorOut path) const override { path = path_; }
 
-  void forces(const Eigen::Ref<const VectorXd>& d, BlockForces& forces) const override {
+  void forces(const VectorIn& d, BlockForces& forces) const override {
     forces.resize(block_.n_unknowns());
     const VectorXd Kd = block_.stiffness() * d;
-    forces.elastic = stress_forces_ + Kd;
-    forces.damping =
+    forces.elastic() = stress_forces_ + Kd;
+    forces.damping() =
         rule_.damping.stiffness / dt_ * Kd + rule_.damping.mass / dt_ * (block_.mass_matrix() * d);
-    forces.inertia = block_.mass_matrix() * acceleration_after(d);
+    forces.inertia() = block_.mass_matrix() * acceleration_after(d);
   }
 
-  void tangent(const Eigen::Ref<const VectorXd>&, std::span<MatrixXd> parts) const override {
+  void tangent(const VectorIn&, std::span<MatrixXd> parts) const override {
     parts[0] = (1 + rule_.damping.stiffness / dt_) * block_.stiffness() +
                (rule_.inertia() / (dt_ * dt_) + rule_.damping.mass / dt_) * block_.mass_matrix();
   }
 
-  void end(const Eigen::Ref<const VectorXd>& d, const Eigen::Ref<const VectorXd>&, bool,
-           BlockState& next) const override {
+  void end(const VectorIn& d, const VectorIn&, bool, BlockState& next) const override {
     const Range &u = block_.unknowns(), &v = block_.vertices();
     VectorXd all = VectorXd::Zero(u.end());
     u.of(all) = d;
@@ -49,12 +48,12 @@ class IncrementalStep final : public BlockStep {
     block_.follow_with_origin(next);
   }
 
-  double stored_energy(const Eigen::Ref<const VectorXd>& d) const override {
+  double stored_energy(const VectorIn& d) const override {
     return d.dot(stress_forces_) + d.dot(block_.stiffness() * d) / 2;
   }
 
  private:
-  VectorXd acceleration_after(const Eigen::Ref<const VectorXd>& d) const {
+  VectorXd acceleration_after(const VectorIn& d) const {
     return rule_.inertia() / (dt_ * dt_) * (d - path_) - rule_.history() * acceleration_;
   }
 

@@ -16,11 +16,7 @@ class IncrementalBlock : public Block {
   void begin_step(const BlockState& state, const StepStart& start,
                   std::unique_ptr<BlockStep>& step) const override;
   const Eigen::Matrix<double, Eigen::Dynamic, 2>& translations() const override { return translations_; }
-  using Block::rotation;
-  /// On the shape that the block was made of.
-  void rotation(const BlockState& /*state*/, Eigen::Ref<VectorXd> unknowns) const override {
-    unknowns = rotation_;
-  }
+  VectorXd rotation(const BlockState& /*state*/) const override { return rotation_; }
   MatrixXd times_mass(const Eigen::Ref<const MatrixXd>& velocities) const override {
     return mass_ * velocities;
   }
@@ -44,9 +40,9 @@ class IncrementalBlock : public Block {
   /// Finds maps and matrices of this shape.
   virtual void take_shape(const PointsRef& outline) = 0;
   /// The density scaled by reference over current area, so that a block that inflates makes no mass.
-  double density_on(const polyfem::AreaMoments& moments) const {
-    return material().density * reference_area() / moments.area;
-  }
+  double density() const { return material().density * reference_area() / moments_.area; }
+
+  polyfem::AreaMoments moments_;  ///< of the shape
 
   Eigen::Matrix<double, Eigen::Dynamic, 2> translations_;
   VectorXd rotation_;

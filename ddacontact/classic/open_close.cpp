@@ -134,12 +134,13 @@ struct OpenClose {
   const std::vector<ContactTerm>& terms;
   std::vector<Contact>& contacts;
   VectorXd& d;
-  OpenCloseReport report{};
+  ContactSolverReport report{};
   AndersonAcceleration acceleration{};
   Restraint restraint{};
   VectorXd correction{};
 
-  OpenCloseReport iterate() {
+  ContactSolverReport iterate() {
+    report.status = SolutionStatus::states_unsettled;
     for (Contact& contact : contacts) contact.was_closed = contact.closed();
     system.problem().contacts_changed();
     d = system.prescribed();
@@ -195,9 +196,9 @@ struct OpenClose {
     });
     const bool any = opening != disagreements.end();
     report.status = any ? SolutionStatus::states_unsettled : SolutionStatus::friction_unsettled;
-    report.disagreeing = -1;
+    report.worst_contact = -1;
     if (disagreements.empty()) return true;
-    report.disagreeing = static_cast<int>((any ? *opening : disagreements.front()).contact);
+    report.worst_contact = static_cast<int>((any ? *opening : disagreements.front()).contact);
     restraint.apply(disagreements);
     // Nothing was gained for so long that cutting the step is cheaper.
     if (restraint.passes_without_gain == restraint.patience * restraint.patience) return false;
@@ -212,9 +213,9 @@ struct OpenClose {
 
 }  // namespace
 
-OpenCloseReport iterate_open_close(StepSystem& system, std::vector<Contact>& contacts, VectorXd& d) {
+ContactSolverReport iterate_open_close(StepSystem& system, std::vector<Contact>& contacts, VectorXd& d) {
   const std::vector<ContactTerm> terms = terms_of(contacts);
-  OpenCloseReport report = OpenClose{system, terms, contacts, d}.iterate();
+  ContactSolverReport report = OpenClose{system, terms, contacts, d}.iterate();
   const std::vector<ContactForce> forces = forces_in_states(contacts, terms, d);
   assert(report.status != SolutionStatus::settled || report.residual.balanced(residual_tolerance));
   for (std::size_t c = 0; c < contacts.size(); ++c) {

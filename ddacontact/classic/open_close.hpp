@@ -2,18 +2,11 @@
 #pragma once
 
 #include <ddacontact/equations/step_system.hpp>
+#include <ddacontact/solver/contact_solver.hpp>
 
 #include <vector>
 
 namespace ddacontact {
-
-/// How the iteration ended.
-struct OpenCloseReport {
-  SolutionStatus status = SolutionStatus::states_unsettled;
-  int iterations = 0;    ///< solutions of (13)
-  Residual residual;     ///< at the end, for the states the contacts are left with
-  int disagreeing = -1;  ///< a contact whose state did not agree in the last pass, -1: none
-};
 
 /// Starting from the contacts' states and d = the prescribed displacements, solves (13) and adapts the states
 /// until they agree with the solution ("surmised and calculated contact state are consistent", end of section
@@ -22,6 +15,6 @@ struct OpenCloseReport {
 /// For given states the size of friction (49) depends on the penetration, which (13) leaves out of K: the
 /// iteration d -= K^-1 r(d) repairs that, accelerated, before the states are looked at. Leaves the states in
 /// `contacts` and sets their `was_closed`.
-OpenCloseReport iterate_open_close(StepSystem& system, std::vector<Contact>& contacts, VectorXd& d);
+ContactSolverReport iterate_open_close(StepSystem& system, std::vector<Contact>& contacts, VectorXd& d);
 
 }  // namespace ddacontact

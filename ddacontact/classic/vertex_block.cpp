@@ -42,7 +42,7 @@ void VertexBlock::take_shape(const PointsRef& outline) {
   tabulate(outline, rule, usable_basis(outline), integration_.correction, element_);
   polyfem::stiffness(element_, material().elasticity, stiffness_);
   polyfem::mass(element_, mass_);
-  mass_ *= density_on(moments_);
+  mass_ *= density();
   polyfem::shape_integrals(element_, shape_integrals_);
   integration_weights_ = element_.rule.weights;
 

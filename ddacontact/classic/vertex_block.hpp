@@ -41,7 +41,6 @@ class VertexBlock final : public IncrementalBlock {
   Integration integration_;
   const polyfem::Basis* basis_;
   polyfem::Triangles ears_;  ///< triangles that carry the integration points; none: the centroid fan does
-  polyfem::AreaMoments moments_;
   polyfem::TabulatedElement element_;
   VectorXd shape_integrals_;
 };

@@ -36,13 +36,12 @@ struct ContactHistory {
 /// A vertex and an edge in motion: where they start, seen from the origin of the edge's block, and how the
 /// unknowns move them.
 struct MovingVertexEdge {
-  VertexEdgePositions start;
-  PointMap i, j, k;
+  RoundedPositions start;
+  PointMap i, j, k, after_i;
   std::shared_ptr<const Rounding> rounding{};  ///< none: the corner is sharp
 
-  RoundedPositions positions() const { return {start, rounding ? rounding->after_i : Vec2::Zero()}; }
   RoundedPositions moved(const VectorXd& d) const {
-    return {{i(d), j(d), k(d)}, rounding ? rounding->of_after_i(d) : Vec2::Zero()};
+    return {{i(d), j(d), k(d)}, rounding ? after_i(d) : Vec2::Zero()};
   }
   /// Gap and slip after the motion `by` from these positions.
   GapAndSlip gap_and_slip_from(const RoundedPositions& positions, const RoundedPositions& by, double lock,
@@ -51,22 +50,22 @@ struct MovingVertexEdge {
                     : gap_and_slip(positions, by, lock, directions);
   }
   GapAndSlip gap_and_slip_at(const VectorXd& d, double lock, Directions directions) const {
-    return gap_and_slip_from(positions(), moved(d), lock, directions);
+    return gap_and_slip_from(start, moved(d), lock, directions);
   }
   GapAndSlip rates_at(const RoundedPositions& positions, double lock) const {
     return gap_and_slip_from(positions, {{Vec2::Zero(), Vec2::Zero(), Vec2::Zero()}, Vec2::Zero()}, lock,
                              Directions::of_end);
   }
-  double start_gap() const { return rounding ? rates_at(positions(), 0).gap : gap(start); }
+  double start_gap() const { return rounding ? rates_at(start, 0).gap : gap(start); }
   /// The vertex whose position along the line j-k is the slip, with that line.
   VertexEdgePositions slip_positions() const {
-    return rounding ? ddacontact::slip_positions(positions(), *rounding) : start;
+    return rounding ? ddacontact::slip_positions(start, *rounding) : VertexEdgePositions(start);
   }
   bool is_at_corner() const { return rounding && rounding->corner; }
 
   AffineForm form(const VertexEdgeGradient& gradient) const {
     AffineForm form = gradient_form(gradient, i, j, k);
-    if (rounding) rounding->of_after_i.add_to(form, gradient.after_i);
+    if (rounding) after_i.add_to(form, gradient.after_i);
     return form;
   }
   AffineForm form(const VertexEdgeForm& of_points) const {
@@ -76,7 +75,7 @@ struct MovingVertexEdge {
   }
   double change_along(const VertexEdgeGradient& gradient, const VectorXd& d) const {
     const double change = ddacontact::change_along(gradient, i, j, k, d);
-    return rounding ? change + gradient.after_i.dot(rounding->of_after_i(d)) : change;
+    return rounding ? change + gradient.after_i.dot(after_i(d)) : change;
   }
   /// The affine form that has this value at d and this gradient: coefficients by way of the derivatives i, j,
   /// k of the positions by the unknowns. It returns the value to the rounding of its terms at d.
@@ -111,7 +110,8 @@ struct Contact : ContactRecord {
   [[no_unique_address]] JointLaw law;  ///< flags stand where it would be padded
   bool start_bonded = false;  ///< `history.bonded` and `history.state` before a trial, which changes them
   ContactState start_state = ContactState::open;
-  bool meets = false;  ///< over the edge where it passes its line within the step, or at the start
+  bool meets = false;   ///< over the edge where it passes its line within the step, or at the start
+  bool leaves = false;  ///< goes round a corner at an end of the edge, and does not act in the step
   MovingVertexEdge motion;
   // At the end of the last trial of the step; before one, the gap at its start.
   double gap = 0;                                  ///< without its offset
@@ -134,12 +134,12 @@ struct Contact : ContactRecord {
   /// (36) and (44), the gap without its offset: of first order in displacements from the start.
   VertexEdgeForm first_gap() const {
     if (!motion.rounding) return gap_form(motion.start);
-    const GapAndSlip rates = motion.rates_at(motion.positions(), history.lock);
+    const GapAndSlip rates = motion.rates_at(motion.start, history.lock);
     return {rates.gap, rates.by_gap};
   }
   VertexEdgeForm first_slip() const {
     if (!motion.rounding) return slip_form(motion.start, history.lock);
-    const GapAndSlip rates = motion.rates_at(motion.positions(), history.lock);
+    const GapAndSlip rates = motion.rates_at(motion.start, history.lock);
     return {rates.slip, rates.by_slip};
   }
 

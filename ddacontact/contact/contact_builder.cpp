@@ -3,6 +3,7 @@
 #include <ddacontact/contact/contact_positions.hpp>
 #include <ddacontact/contact/contacts_by_pair.hpp>
 #include <ddacontact/contact/kinematics.hpp>
+#include <ddacontact/core/for_all.hpp>
 #include <ddacontact/core/tolerances.hpp>
 #include <ddacontact/detection/broad_phase.hpp>
 #include <ddacontact/detection/corner.hpp>
@@ -34,16 +35,15 @@ ContactBuilder::ContactBuilder(const BlockSystem& blocks, ContactProperties prop
   for (int b = 0; b < blocks.n_blocks(); ++b) {
     const Block& block = blocks.block(b);
     half_width_.push_back(half_width(block.reference().leftCols(block.n_vertices())));
-    size_.push_back(block.size());
     n_vertices.push_back(block.n_vertices());
   }
   outlines_ = OutlineTable(n_vertices);
 }
 
 double ContactBuilder::pair_size(int a, int b) const {
-  if (!blocks_.is_movable(a)) return size_[b];
-  if (!blocks_.is_movable(b)) return size_[a];
-  return std::min(size_[a], size_[b]);
+  if (!blocks_.is_movable(a)) return blocks_.block(b).size();
+  if (!blocks_.is_movable(b)) return blocks_.block(a).size();
+  return std::min(blocks_.block(a).size(), blocks_.block(b).size());
 }
 
 double ContactBuilder::lip(int a, int b, bool touch) const {
@@ -55,14 +55,11 @@ void ContactBuilder::find_pairs(const BlockState& state) {
   const Index n = blocks_.n_blocks();
   boxes_.resize(n);
   margins_.resize(keeps_pairs_ ? n : 0);
-  const auto check_blocks = [&](Index begin, Index end) {
-    for (int b = static_cast<int>(begin); b < end; ++b) {
-      outlines_.set(b, blocks_.block(b).outline(state));
-      boxes_[b] = shifted(widened(outlines_[b].box, search_margin_[b]), state.origin.col(b));
-      if (keeps_pairs_) margins_[b] = skin_of_margin * search_margin_[b];
-    }
-  };
-  polyfem::for_ranges(n, of_range, std::ref(check_blocks));
+  for_all(n, [&](int b) {
+    outlines_.set(b, blocks_.block(b).outline(state));
+    boxes_[b] = shifted(widened(outlines_[b].box, search_margin_[b]), state.origin.col(b));
+    if (keeps_pairs_) margins_[b] = skin_of_margin * search_margin_[b];
+  });
   if (!std::exchange(knows_covered_, true)) find_covered(state);
   nearby_.find(boxes_, margins_, pairs_);
   const bool any_compliant = properties_.joints.any(&JointStrength::is_compliant);
@@ -82,12 +79,13 @@ void ContactBuilder::find_covered(const BlockState& state) {
   for (int b = 0; b < blocks_.n_blocks(); ++b) {
     if (!blocks_.is_held(b)) continue;
     held.push_back(b);
-    boxes.push_back(shifted(widened(outlines_[b].box, properties_.lip * size_[b]), state.origin.col(b)));
+    boxes.push_back(
+        shifted(widened(outlines_[b].box, properties_.lip * blocks_.block(b).size()), state.origin.col(b)));
   }
   for (const Pair& pair : overlapping_pairs(boxes))
     for (const auto& [p, q] : {pair, Pair{pair[1], pair[0]}}) {
       const int b = held[p], c = held[q];
-      const double near = properties_.lip * std::min(size_[b], size_[c]);
+      const double near = properties_.lip * std::min(blocks_.block(b).size(), blocks_.block(c).size());
       const Points own = blocks_.outline_from(state, b, b), other = blocks_.outline_from(state, c, b);
       for (const TouchingEdges& part : touching_edges(own, other, near)) {
         const int e = static_cast<int>(part.edge), f = static_cast<int>(part.other), after = next(f, other);
@@ -172,16 +170,16 @@ void ContactBuilder::leave_out_idle(const Pair& pair, const BlockState& state,
   const bool held = !blocks_.is_free(pair[0]) && !blocks_.is_free(pair[1]),
              stiff = properties_.joints.any(&JointStrength::is_compliant) && !blocks_.has_rounded_corners();
   if (!held && !stiff) return;
-  const std::vector<VertexEdge> of_blocks(found.begin() + static_cast<std::ptrdiff_t>(first), found.end());
+  const auto of_pair = found.begin() + static_cast<std::ptrdiff_t>(first);
+  const std::vector<VertexEdge> all(of_pair, found.end());
   const auto is_idle = [&](const VertexEdge& of) {
     const bool compliant = properties_.strength(of).is_compliant();
     // Where all is held a rigid contact has no force that one could tell. A corner that is yet to come over
     // an edge has no part of the length of a joint with a stiffness.
     return (held && !compliant && !can_change(state, of, previous)) ||
-           (stiff && compliant && length_of(state, of, bearing(of_blocks)).total() == 0);
+           (stiff && compliant && length_of(state, of, bearing(all)).total() == 0);
   };
-  for (const VertexEdge& of : of_blocks)
-    if (is_idle(of)) std::erase(found, of);
+  found.erase(std::remove_if(of_pair, found.end(), is_idle), found.end());
 }
 
 std::size_t ContactBuilder::detect(const BlockState& state, const VectorXd& motion,
@@ -323,18 +321,13 @@ void ContactBuilder::restart(Contact& contact) const {
     contact.law.normal_stiffness = properties_.normal_stiffness;
     contact.law.tangential_stiffness = properties_.tangential_stiffness;
   }
-  contact.end_gap = contact.end_slip = contact.normal = contact.shear = 0;
-  contact.was_closed = contact.meets = false;
+  contact.end_gap = contact.end_slip = 0;
+  contact.was_closed = contact.meets = contact.leaves = false;
   contact.gap = contact.first_gap().constant;
 }
 
-void ContactBuilder::start_from(const BlockState& state, Contact& contact) const {
-  const RoundedPositions positions = positions_of(blocks_, state, contact.pair);
-  contact.motion.start = positions;
-  if (!contact.motion.rounding) return;
-  Rounding rounding = *contact.motion.rounding;
-  rounding.after_i = positions.after_i;
-  contact.motion.rounding = std::make_shared<const Rounding>(rounding);
+void ContactBuilder::start_from(const BlockState& state, std::vector<Contact>& contacts) const {
+  for (Contact& contact : contacts) contact.motion.start = positions_of(blocks_, state, contact.pair);
 }
 
 void ContactBuilder::build(const BlockState& state, const VectorXd& motion,

@@ -56,7 +56,7 @@ class ContactBuilder {
   /// Restores a contact to what it was before a trial step.
   void restart(Contact& contact) const;
   /// Takes the positions of the vertex and the edge in a state as those at the start of the step.
-  void start_from(const BlockState& state, Contact& contact) const;
+  void start_from(const BlockState& state, std::vector<Contact>& contacts) const;
   const ContactProperties& properties() const { return properties_; }
   /// Whether pairs of blocks are looked for with a margin and kept while they may be; the same contacts
   /// either way.

@@ -9,13 +9,9 @@ namespace {
 /// Of the pair at these positions.
 Rounding rounding_of(const BlockSystem& blocks, const VertexEdge& pair, const RoundedPositions& positions) {
   const RoundedBlock& of_vertex = blocks.rounded(pair.vertex_block);
-  const Block& vertex_block = blocks.block(pair.vertex_block);
   const auto& [i, j, k] = static_cast<const VertexEdgePositions&>(positions);
-  Rounding rounding{.centre = of_vertex.corners[pair.vertex].centre,
-                    .radius = of_vertex.radius,
-                    .corner = pair.corner,
-                    .after_i = positions.after_i,
-                    .of_after_i = vertex_block.vertex_map((pair.vertex + 1) % vertex_block.n_vertices())};
+  Rounding rounding{
+      .centre = of_vertex.corners[pair.vertex].centre, .radius = of_vertex.radius, .corner = pair.corner};
   const Vec2 centre = rounding.centre.at(i, positions.after_i), along = k - j;
   Vec2 normal = Vec2(along.y(), -along.x()).normalized();
   if (pair.corner) {
@@ -33,7 +29,7 @@ Rounding inset_of(const BlockSystem& blocks, const BlockState& state, const Vert
                   const RoundedPositions& positions, double inset) {
   const Block& block = blocks.block(pair.vertex_block);
   const PointsRef outline = block.outline(state);
-  Rounding rounding{.after_i = positions.after_i, .of_after_i = block.vertex_map(next(pair.vertex, outline))};
+  Rounding rounding;
   if (corner_at(outline, pair.vertex) == Corner::straight) return rounding;
   const auto towards = [&](int neighbour) -> Vec2 {
     return (outline.col(neighbour) - outline.col(pair.vertex)).normalized();
@@ -58,16 +54,23 @@ RoundedPositions positions_of(const BlockSystem& blocks, const BlockState& state
           state.position.col(of_vertex.first + (pair.vertex + 1) % of_vertex.count) + shift};
 }
 
+void set_maps(const BlockSystem& blocks, const VertexEdge& pair, MovingVertexEdge& motion) {
+  const Block &of_vertex = blocks.block(pair.vertex_block), &of_edge = blocks.block(pair.edge_block);
+  motion.i = of_vertex.vertex_map(pair.vertex);
+  motion.after_i = of_vertex.vertex_map((pair.vertex + 1) % of_vertex.n_vertices());
+  motion.j = of_edge.vertex_map(pair.edge);
+  motion.k = of_edge.vertex_map((pair.edge + 1) % of_edge.n_vertices());
+}
+
 MovingVertexEdge motion_of(const BlockSystem& blocks, const BlockState& state, const VertexEdge& pair,
                            double inset) {
-  const Block &vertex_block = blocks.block(pair.vertex_block), &edge_block = blocks.block(pair.edge_block);
-  const RoundedPositions positions = positions_of(blocks, state, pair);
-  MovingVertexEdge motion{positions, vertex_block.vertex_map(pair.vertex), edge_block.vertex_map(pair.edge),
-                          edge_block.vertex_map((pair.edge + 1) % edge_block.n_vertices())};
+  MovingVertexEdge motion;
+  motion.start = positions_of(blocks, state, pair);
+  set_maps(blocks, pair, motion);
   if (blocks.has_rounded_corners())
-    motion.rounding = std::make_shared<const Rounding>(rounding_of(blocks, pair, positions));
+    motion.rounding = std::make_shared<const Rounding>(rounding_of(blocks, pair, motion.start));
   else if (inset > 0)
-    motion.rounding = std::make_shared<const Rounding>(inset_of(blocks, state, pair, positions, inset));
+    motion.rounding = std::make_shared<const Rounding>(inset_of(blocks, state, pair, motion.start, inset));
   return motion;
 }
 

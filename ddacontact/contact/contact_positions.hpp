@@ -15,6 +15,9 @@ RoundedPositions positions_of(const BlockSystem& blocks, const BlockState& state
 MovingVertexEdge motion_of(const BlockSystem& blocks, const BlockState& state, const VertexEdge& pair,
                            double inset = 0);
 
+/// Sets the maps of the pair's points.
+void set_maps(const BlockSystem& blocks, const VertexEdge& pair, MovingVertexEdge& motion);
+
 /// Two corners nearer than this times the block size may hand a contact from one's vertex to the other's.
 inline constexpr double near_corner = 1e-2;
 /// Whether two contacts of the same blocks are where a vertex of one meets a vertex of the other, no further

@@ -103,10 +103,9 @@ GapAndSlip gap_and_slip(const VertexEdgePositions& start, const VertexEdgePositi
                         Directions directions) {
   const Edge edge0(start), edge1({start.i + by.i, start.j + by.j, start.k + by.k});
   const EdgeChange change(edge0, by);
-  const double start_gap = edge0.along_n();
   const Edge& at = directions == Directions::of_start ? edge0 : edge1;
   const bool mean = directions == Directions::mean;
-  return {start_gap, start_gap + gap_change(edge0, change),
+  return {edge0.along_n() + gap_change(edge0, change),
           slip_of(edge0, lock) + slip_change(edge0, change, lock),
           mean ? gap_mean_gradient(edge0, edge1) : gap_gradient(at),
           mean ? slip_mean_gradient(edge0, edge1, lock) : slip_gradient(at, lock)};

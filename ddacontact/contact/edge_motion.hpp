@@ -31,7 +31,6 @@ double gap(const VertexEdgePositions& positions);
 
 /// Gap and slip at the end of a motion, with the derivatives that forces there act by.
 struct GapAndSlip {
-  double start_gap;
   double gap;  ///< the start's and its change, which is good to the rounding of the motion
   double
       slip;  ///< (41): how far along the edge the vertex is from the lock point o = (1 - lock) j + lock k, m

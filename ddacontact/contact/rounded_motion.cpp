@@ -40,7 +40,7 @@ GapAndSlip gap_and_slip(const RoundedPositions& start, const RoundedPositions& b
                             centre_by = positions_of(rounding.centre, by, rounding);
   const GapAndSlip of_surface =
       gap_and_slip(slip_positions(start, rounding), slip_positions(by, rounding), lock, directions);
-  GapAndSlip result{0, 0, of_surface.slip, {}, by_vertices(of_surface.by_slip, rounding.surface, rounding)};
+  GapAndSlip result{0, of_surface.slip, {}, by_vertices(of_surface.by_slip, rounding.surface, rounding)};
   VertexEdgeGradient by_centres;
   if (rounding.corner) {
     const Vec2 from = from_middle(centre), change = from_middle(centre_by), to = from + change;
@@ -48,12 +48,10 @@ GapAndSlip gap_and_slip(const RoundedPositions& start, const RoundedPositions& b
     const Vec2 away = directions == Directions::mean
                           ? Vec2((from + to) / sum)
                           : (directions == Directions::of_start ? from : to).normalized();
-    result.start_gap = from.norm() - rounding.radius;
-    result.gap = result.start_gap + (from + to).dot(change) / sum;
+    result.gap = from.norm() - rounding.radius + (from + to).dot(change) / sum;
     by_centres = {away, -away / 2, -away / 2};
   } else {
     const GapAndSlip of_centre = gap_and_slip(centre, centre_by, 0, directions);
-    result.start_gap = of_centre.start_gap - rounding.radius;
     result.gap = of_centre.gap - rounding.radius;
     by_centres = of_centre.by_gap;
   }

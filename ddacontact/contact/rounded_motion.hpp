@@ -30,10 +30,6 @@ struct Rounding {
   double radius = 0;
   /// Whether the circle touches the corner j, not the edge.
   bool corner = false;
-  /// The vertex after i, at the start of the step.
-  Vec2 after_i{0, 0};
-  /// Displacement of the vertex after i.
-  PointMap of_after_i{};
 };
 
 /// The line of the slip and the vertex's point on it, as a vertex and an edge.

@@ -23,6 +23,10 @@ using polyfem::Vec2;
 using polyfem::Vec3;
 using polyfem::VectorXd;
 
+/// A vector as an argument, and one that is written to.
+using VectorIn = Eigen::Ref<const VectorXd>;
+using VectorOut = Eigen::Ref<VectorXd>;
+
 /// Infinity.
 inline constexpr double inf = std::numeric_limits<double>::infinity();
 

@@ -21,29 +21,25 @@ Corner corner_at(const PointsRef& polygon, int vertex) {
   return turn_between(along(polygon, previous(vertex, polygon)), along(polygon, vertex));
 }
 
-bool are_collinear(const PointsRef& polygon, int from, int to) {
-  const Vec2 first = along(polygon, from);
-  for (int e = from; e != to;) {
-    const Vec2 before = along(polygon, e);
-    e = next(e, polygon);
-    const Vec2 now = along(polygon, e);
-    if (turn_between(before, now) != Corner::straight || turn_between(first, now) != Corner::straight)
-      return false;
-  }
+/// Whether all corners between these edges pass a test of the edges before and after them.
+static bool all_corners(const PointsRef& polygon, int from, int to, const auto& passes) {
+  for (int e = from; e != to; e = next(e, polygon))
+    if (!passes(along(polygon, e), along(polygon, next(e, polygon)))) return false;
   return true;
+}
+
+bool are_collinear(const PointsRef& polygon, int from, int to) {
+  return all_corners(polygon, from, to, [first = along(polygon, from)](const Vec2& before, const Vec2& now) {
+    return turn_between(before, now) == Corner::straight && turn_between(first, now) == Corner::straight;
+  });
 }
 
 bool turns_left(const PointsRef& polygon, int from, int to) {
   double turn = 0;
-  for (int e = from; e != to;) {
-    const Vec2 before = along(polygon, e);
-    e = next(e, polygon);
-    const Vec2 now = along(polygon, e);
-    if (turn_between(before, now) == Corner::reflex) return false;
+  return all_corners(polygon, from, to, [&](const Vec2& before, const Vec2& now) {
     turn += std::atan2(cross(before, now), before.dot(now));
-    if (turn > largest_turn) return false;
-  }
-  return true;
+    return turn_between(before, now) != Corner::reflex && turn <= largest_turn;
+  });
 }
 
 double straight_length(const PointsRef& polygon, int edge, bool forth) {

@@ -100,16 +100,16 @@ struct Bar {
     const std::vector<ClippedSpring> springs_before = springs;
     evaluate();
     if (pieces() == before) return false;
-    LineSearch along;
+    std::vector<LineSpring> along;
     for (int k = 0; k < n_segments; ++k)
-      if (springs_before[k].stiffness > 0) along.add(springs_before[k], step[k + 1] - step[k]);
+      if (springs_before[k].stiffness > 0) along.push_back({springs_before[k], step[k + 1] - step[k]});
     double slope = 0, bend = 0;
     for (int i = 0; i < n_slips; ++i) {
-      along.add(springs_before[n_segments + i], step[i]);
+      along.push_back({springs_before[n_segments + i], step[i]});
       slope += regularization(i) * (from[i] - start[i]) * step[i];
       bend += regularization(i) * step[i] * step[i];
     }
-    slip = from + along.find_minimum(slope, bend) * step;
+    slip = from + minimum_along(along, slope, bend) * step;
     evaluate();
     return true;
   }
@@ -143,7 +143,7 @@ struct Bar {
 };
 
 /// Keeps what has yielded and where the bar is. Returns what yielding takes.
-double keep_plastic(const Bolt& bolt, const BoltForces& forces, Eigen::Ref<VectorXd> numbers) {
+double keep_plastic(const Bolt& bolt, const BoltForces& forces, VectorOut numbers) {
   double dissipated = 0;
   const auto keep = [&](int place, double plastic, double force) {
     dissipated += force * (plastic - numbers[place]);
@@ -164,7 +164,7 @@ double keep_plastic(const Bolt& bolt, const BoltForces& forces, Eigen::Ref<Vecto
 }
 
 /// Tears the segments that are strained too far. False: none is.
-bool tear(const Bolt& bolt, const BoltForces& forces, Eigen::Ref<VectorXd> numbers) {
+bool tear(const Bolt& bolt, const BoltForces& forces, VectorOut numbers) {
   bool any = false;
   for (int k = 0; k < bolt.n_segments(); ++k) {
     if (!bolt.has_segment(k) || numbers[Bolt::torn(k)] != 0) continue;
@@ -182,7 +182,7 @@ BoltForces bolt_forces(const Bolt& bolt, const BoltNumbers& numbers, const Vecto
   return Bar{bolt, numbers, elongation}.solve();
 }
 
-BoltLosses follow(const Bolt& bolt, const VectorXd& elongation, Eigen::Ref<VectorXd> numbers) {
+BoltLosses follow(const Bolt& bolt, const VectorXd& elongation, VectorOut numbers) {
   BoltForces forces = bolt_forces(bolt, numbers, elongation);
   BoltLosses losses{keep_plastic(bolt, forces, numbers)};
   const double stored = forces.stored;

@@ -36,7 +36,7 @@ struct BoltLosses {
 };
 /// Ends a step with these elongations: plastic ones and slips remain, and segments that are
 /// strained beyond the rupture strain tear.
-BoltLosses follow(const Bolt& bolt, const VectorXd& elongation, Eigen::Ref<VectorXd> numbers);
+BoltLosses follow(const Bolt& bolt, const VectorXd& elongation, VectorOut numbers);
 
 /// Energy of all bolts that act, J per m.
 double bolt_energy(const BlockSystem& blocks, const BlockState& state);

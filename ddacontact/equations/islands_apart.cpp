@@ -1,5 +1,6 @@
 #include <ddacontact/equations/islands_apart.hpp>
 
+#include <ddacontact/contact/contact_positions.hpp>
 #include <ddacontact/core/disjoint_sets.hpp>
 #include <ddacontact/core/sort_once.hpp>
 
@@ -93,64 +94,35 @@ void balance_at_rest(const BlockSystem& blocks, const std::vector<Contact>& cont
 
 }  // namespace
 
-struct IslandsApart::Island {
-  std::vector<int> blocks;    ///< and those at rest that they may touch, ascending
-  std::vector<int> contacts;  ///< of the step
-  BlockSystem::Part part;
-  StepSystem system{part.system()};
+Contact IslandsApart::Island::to_part(Contact contact) const {
+  VertexEdge& pair = contact.pair;
+  pair.vertex_block = part.number_of(pair.vertex_block);
+  pair.edge_block = part.number_of(pair.edge_block);
+  set_maps(part.system(), pair, contact.motion);
+  return contact;
+}
 
-  Island(const BlockSystem& whole, const std::vector<int>& of_blocks, const std::vector<char>& resting)
-      : blocks(of_blocks), part(whole, of_blocks, resting) {}
-
-  /// Of the part's unknowns.
-  VectorXd of_part(const VectorXd& of_all) const { return of_all(part.unknowns()); }
-
-  Contact to_part(Contact contact) const {
-    VertexEdge& pair = contact.pair;
-    pair.vertex_block = part.number_of(pair.vertex_block);
-    pair.edge_block = part.number_of(pair.edge_block);
-    const Block& edge_block = part.system().block(pair.edge_block);
-    const Block& vertex_block = part.system().block(pair.vertex_block);
-    contact.motion.i = vertex_block.vertex_map(pair.vertex);
-    if (contact.motion.rounding) {
-      Rounding rounding = *contact.motion.rounding;
-      rounding.of_after_i = vertex_block.vertex_map((pair.vertex + 1) % vertex_block.n_vertices());
-      contact.motion.rounding = std::make_shared<const Rounding>(rounding);
-    }
-    contact.motion.j = edge_block.vertex_map(pair.edge);
-    contact.motion.k = edge_block.vertex_map((pair.edge + 1) % edge_block.n_vertices());
-    return contact;
-  }
-
-  /// Adds how the contact solver ended in the part to what is reported of the whole.
-  void add_to(ContactSolverReport& report, const ContactSolverReport& of_own) const {
-    report.status = of_own.status;
-    report.worst_contact = of_own.worst_contact < 0 ? -1 : contacts[of_own.worst_contact];
-    report.iterations = std::max(report.iterations, of_own.iterations);
-    report.interior_point_solves += of_own.interior_point_solves;
-    report.augmentations = std::max(report.augmentations, of_own.augmentations);
-    report.sweeps += of_own.sweeps;
-    report.tolerance = std::max(report.tolerance, of_own.tolerance);
-    report.interior_solutions += of_own.interior_solutions;
-    report.sweep_fallbacks += of_own.sweep_fallbacks;
-    Residual& residual = report.residual;
-    const Residual& own = of_own.residual;
-    residual.force(part.unknowns()) = own.force;
-    residual.external(part.unknowns()) = own.external;
-    for (double Residual::*measure :
-         {&Residual::largest, &Residual::scale, &Residual::round_off, &Residual::over_round_off})
-      residual.*measure = std::max(residual.*measure, own.*measure);
-    if (!(own.block_relative > residual.block_relative)) return;
-    residual.block_relative = own.block_relative;
-    residual.worst_block = own.worst_block < 0 ? -1 : part.blocks()[own.worst_block];
-  }
-};
-
-IslandsApart::IslandsApart() = default;
-IslandsApart::~IslandsApart() = default;
-
-void IslandsApart::clear() {
-  islands_.clear();
+/// Adds how the contact solver ended in the part to what is reported of the whole.
+void IslandsApart::Island::add_to(ContactSolverReport& report, const ContactSolverReport& of_own) const {
+  report.status = of_own.status;
+  report.worst_contact = of_own.worst_contact < 0 ? -1 : contacts[of_own.worst_contact];
+  report.iterations = std::max(report.iterations, of_own.iterations);
+  report.interior_point_solves += of_own.interior_point_solves;
+  report.augmentations = std::max(report.augmentations, of_own.augmentations);
+  report.sweeps += of_own.sweeps;
+  report.tolerance = std::max(report.tolerance, of_own.tolerance);
+  report.interior_solutions += of_own.interior_solutions;
+  report.sweep_fallbacks += of_own.sweep_fallbacks;
+  Residual& residual = report.residual;
+  const Residual& own = of_own.residual;
+  residual.force(part.unknowns()) = own.force;
+  residual.external(part.unknowns()) = own.external;
+  for (double Residual::*measure :
+       {&Residual::largest, &Residual::scale, &Residual::round_off, &Residual::over_round_off})
+    residual.*measure = std::max(residual.*measure, own.*measure);
+  if (!(own.block_relative > residual.block_relative)) return;
+  residual.block_relative = own.block_relative;
+  residual.worst_block = own.worst_block < 0 ? -1 : part.blocks()[own.worst_block];
 }
 
 bool IslandsApart::divide(const BlockSystem& blocks, const std::vector<Contact>& contacts) {

@@ -51,14 +51,14 @@ void StepBolt::begin(const BlockSystem& blocks, const BlockState& state, Directi
     segments_[k].is_there = bolt_->has_segment(k);
     if (segments_[k].is_there) segments_[k].start = segment_vector(*bolt_, k, blocks, state);
   }
-  start_axial_ = bolt_forces(*bolt_, numbers_, elongations(*bolt_, blocks, state)).axial;
+  start_ = bolt_forces(*bolt_, numbers_, elongations(*bolt_, blocks, state));
 }
 
 void StepBolt::add_turning(VectorXd& of_blocks) const {
   for (int k = 0; k < bolt_->n_segments(); ++k) {
     const int a = bolt_->nodes[k].block, b = bolt_->nodes[k + 1].block;
     if (!segments_[k].is_there || a == b) continue;
-    const double turning = std::max(start_axial_[k], 0.0) / segments_[k].start.norm();
+    const double turning = std::max(start_.axial[k], 0.0) / segments_[k].start.norm();
     for (const int block : {a, b})
       if (block >= 0) of_blocks[block] += turning;
   }
@@ -85,7 +85,7 @@ void StepBolt::evaluate(const VectorXd& displaced) {
                             : Vec2((segment.start + end) / (length + segment.length));
   }
   forces_ = bolt_forces(*bolt_, numbers_, elongation_);
-  axial_ = directions_ == Directions::mean ? VectorXd((start_axial_ + forces_.axial) / 2) : forces_.axial;
+  axial_ = directions_ == Directions::mean ? VectorXd((start_.axial + forces_.axial) / 2) : forces_.axial;
   for (int k = 0; k < bolt_->n_segments(); ++k) {
     Segment& segment = segments_[k];
     const double length = segment.length + (directions_ == Directions::mean ? segment.start.norm() : 0);
@@ -136,16 +136,12 @@ BoltLosses StepBolt::end(VectorXd& numbers) const {
   BoltLosses losses = follow(*bolt_, elongation_, own);
   if (directions_ != Directions::mean || losses.tears) return losses;
   // With means what yields takes the mean of its force at both ends.
-  VectorXd at_start = VectorXd::Zero(bolt_->n_segments());
-  for (int k = 0; k < bolt_->n_segments(); ++k)
-    if (segments_[k].is_there) at_start[k] = segments_[k].start.norm() - numbers_[Bolt::length(k)];
-  const BoltForces start = ddacontact::bolt_forces(*bolt_, numbers_, at_start);
   const auto correct = [&](int plastic, double force, double force_at_start) {
     losses.dissipated -= (force - force_at_start) / 2 * (own[plastic] - numbers_[plastic]);
   };
-  for (int k = 0; k < bolt_->n_segments(); ++k) correct(Bolt::plastic(k), forces_.axial[k], start.axial[k]);
+  for (int k = 0; k < bolt_->n_segments(); ++k) correct(Bolt::plastic(k), forces_.axial[k], start_.axial[k]);
   for (int i = 0; i < forces_.bond.size(); ++i)
-    correct(bolt_->plastic_slip(i), forces_.bond[i], start.bond[i]);
+    correct(bolt_->plastic_slip(i), forces_.bond[i], start_.bond[i]);
   return losses;
 }
 

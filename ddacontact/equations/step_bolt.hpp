@@ -61,8 +61,8 @@ class StepBolt {
   std::vector<std::vector<Term>> maps_;  ///< of each node
   std::vector<Segment> segments_;
   Directions directions_ = Directions::of_end;
-  VectorXd numbers_, start_axial_, elongation_;
-  BoltForces forces_;
+  VectorXd numbers_, elongation_;
+  BoltForces start_, forces_;
   VectorXd axial_;  ///< axial forces that act in the step, N per m
 };
 

@@ -132,10 +132,10 @@ void StepSystem::find_own_forces(const VectorXd& d) const {
     const Range& u = blocks_.block(b).unknowns();
     const auto lengths = u.of(unknown_lengths_);
     step(b).forces(u.of(d), of_block);
-    u.of(work_.own_forces) = of_block.elastic + of_block.inertia + of_block.damping;
+    u.of(work_.own_forces) = of_block.elastic() + of_block.inertia() + of_block.damping();
     double sum = 0;
-    for (const BlockForces::Forces* f : {&of_block.elastic, &of_block.inertia, &of_block.damping})
-      sum += f->cwiseQuotient(lengths).lpNorm<1>();
+    for (const auto& f : {of_block.elastic(), of_block.inertia(), of_block.damping()})
+      sum += f.cwiseQuotient(lengths).lpNorm<1>();
     for (const VectorXd* f : {&load_forces_, &gravity_forces_})
       sum += u.of(*f).cwiseQuotient(lengths).lpNorm<1>();
     work_.own_sums[a] = {sum, u.of(d).cwiseProduct(lengths).lpNorm<Eigen::Infinity>()};

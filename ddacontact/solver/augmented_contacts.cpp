@@ -98,7 +98,8 @@ double AugmentedContacts::kept(double length, int halvings, double size) const {
 bool AugmentedContacts::add_met(VectorXd& d) {
   bool any = false;
   for (std::size_t c = 0; c < size(); ++c) {
-    if (multipliers_[c].acts || terms_[c].gap(d) >= 0 || !contacts_[c].is_on_edge(terms_[c].slip(d)))
+    if (multipliers_[c].acts || contacts_[c].leaves || terms_[c].gap(d) >= 0 ||
+        !contacts_[c].is_on_edge(terms_[c].slip(d)))
       continue;
     multipliers_[c].acts = true;
     any = true;
@@ -126,8 +127,7 @@ void AugmentedContacts::evaluate(VectorXd& d) {
 void AugmentedContacts::evaluate(const Contact& contact, const VectorXd& displaced, const VectorXd& d,
                                  Multiplier& multiplier, ContactTerm& term) const {
   const MovingVertexEdge& m = contact.motion;
-  const auto [start_gap, g, s, dg, ds] =
-      m.gap_and_slip_at(displaced, contact.history.lock, options_.directions);
+  const auto [g, s, dg, ds] = m.gap_and_slip_at(displaced, contact.history.lock, options_.directions);
   term.gap = m.linear_form(g, dg, d);
   term.slip = m.linear_form(s, ds, d);
   multiplier.gap = term.gap.constant;

@@ -183,17 +183,17 @@ double FrictionProblem::step_length(const std::vector<ContactTerm>& contacts, co
   double slope = step_.dot(residual_);
   VectorXd force = VectorXd::Zero(step_.size());
   for_elements([&](int e, std::span<const int> u) { add_product(matrices_[e], u, step_, force); });
-  line_search_.clear();
+  std::vector<LineSpring> springs;
   const auto add = [&](const ClippedSpring& spring, double rate) {
     if (rate == 0 || (spring.low == 0 && spring.high == 0)) return;
     slope += spring.clipped() * rate;
-    line_search_.add(spring, rate);
+    springs.push_back({spring, rate});
   };
   for (const ContactTerm& contact : contacts) {
     add(normal_spring(contact, d), contact.gap.change(step_));
     add(tangential_spring(contact, d), contact.slip.change(step_));
   }
-  return line_search_.find_minimum(slope, std::inner_product(step_.begin(), step_.end(), force.begin(), 0.0));
+  return minimum_along(springs, slope, std::inner_product(step_.begin(), step_.end(), force.begin(), 0.0));
 }
 
 MinimizeReport FrictionProblem::minimize(const std::vector<ContactTerm>& contacts, const VectorXd& g0,

@@ -105,7 +105,6 @@ class FrictionProblem {
   std::vector<Coupling> factored_couplings_;
   VectorXd rhs_, solution_, residual_, step_, trial_, magnitudes_;
   std::vector<unsigned char> active_, pieces_, trial_pieces_;
-  LineSearch line_search_;
 };
 
 }  // namespace ddacontact

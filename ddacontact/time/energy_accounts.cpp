@@ -26,9 +26,9 @@ Vec2 block_losses(const BlockStep& step, const Range& u, const VectorXd& of_all,
   thread_local BlockForces forces;
   step.forces(d, forces);
   // A shift before the step stores nothing.
-  const double by_shift = forces.elastic.dot(motion - d);
-  return {step.elastic_loss(d, forces.elastic) + by_shift + motion.dot(forces.inertia),
-          motion.dot(forces.damping)};
+  const double by_shift = forces.elastic().dot(motion - d);
+  return {step.elastic_loss(d, forces.elastic()) + by_shift + motion.dot(forces.inertia()),
+          motion.dot(forces.damping())};
 }
 
 /// What the springs of a contact store in a state at this gap or slip.

@@ -28,15 +28,6 @@ inline bool bears(const BlockSystem& blocks, const Contact& contact, double dt) 
              std::max(least_of_weight * blocks.gravity.norm() * dt, round_off_speed(contact, dt));
 }
 
-/// Duration of an impact at a contact, s: the shorter time in which a pressure wave crosses one of its
-/// movable blocks, which then passes on the impulse.
-inline double impact_duration(const BlockSystem& blocks, const Contact& contact) {
-  double least = inf;
-  for (int b : contact.pair.blocks())
-    if (blocks.is_movable(b)) least = std::min(least, transit_time(blocks.block(b)));
-  return least;
-}
-
 /// Whether the bond of a contact has the strength to bear an impulse within `duration`, s.
 inline bool bond_bears(const Contact& contact, const ImpactContact& part, const ContactImpulse& impulse,
                        double duration) {

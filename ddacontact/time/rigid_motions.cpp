@@ -93,31 +93,21 @@ VectorXd driven_motion(const BlockSystem& blocks, const BlockState& state, const
 }
 
 AffineForm RigidMotions::rate_form(const AffineForm& form) const {
-  struct Rate {
-    int part;
-    Vec3 sum{0, 0, 0}, magnitude{0, 0, 0};
-  };
-  std::array<Rate, AffineForm::capacity> rates;  // by the parts, in the order in which they occur
-  int n_rates = 0;
-  form.for_terms([&](int u, double coefficient) {
-    const int p = part_of_unknown_[u];
-    if (p < 0) return;
-    int r = 0;
-    while (r < n_rates && rates[r].part != p) ++r;
-    if (r == n_rates) rates[n_rates++] = {p};
-    const Part& part = parts_[p];
-    for (Index m = 0; m < part.modes.cols(); ++m) {
-      const double term = coefficient * part.modes(u - part.block->unknowns().first, m);
-      rates[r].sum[m] += term;
-      rates[r].magnitude[m] += std::abs(term);
-    }
-  });
+  std::vector<int> moving;  // parts, in the order in which they occur
+  for (int u : form.unknowns())
+    if (const int p = part_of_unknown_[u]; p >= 0 && std::ranges::count(moving, p) == 0) moving.push_back(p);
   AffineForm rate;
-  for (int r = 0; r < n_rates; ++r) {
-    const Part& part = parts_[rates[r].part];
+  for (int p : moving) {
+    const Part& part = parts_[p];
     for (int m = 0; m < part.modes.cols(); ++m) {
-      const double c = rates[r].sum[m];
-      rate.append(part.first + m, std::abs(c) > length_round_off * rates[r].magnitude[m] ? c : 0);
+      double sum = 0, magnitude = 0;
+      form.for_terms([&](int u, double coefficient) {
+        if (part_of_unknown_[u] != p) return;
+        const double term = coefficient * part.modes(u - part.block->unknowns().first, m);
+        sum += term;
+        magnitude += std::abs(term);
+      });
+      rate.append(part.first + m, std::abs(sum) > length_round_off * magnitude ? sum : 0);
     }
   }
   return rate;

@@ -19,10 +19,9 @@ void book_shift(const StepSystem& system, const VectorXd& shift, Energy& energy)
 /// With an impact: how the motion of the step changed gaps and slips, in the directions of the contacts'
 /// forces.
 /// \param[in] from  where the step was computed from
-void measure_contacts(const BlockState& from, const VectorXd& d, const VectorXd& motion, TrialStep& trial) {
+void measure_contacts(const VectorXd& d, const VectorXd& motion, TrialStep& trial) {
   for (Contact& contact : trial.contacts()) {
     if (contact.normal == 0 && contact.shear == 0) continue;
-    trial.builder().start_from(from, contact);
     const GapAndSlip at_d =
         contact.motion.gap_and_slip_at(d, contact.history.lock, trial.system().rule().directions());
     contact.gap_change = contact.motion.change_along(at_d.by_gap, motion);
@@ -37,17 +36,16 @@ void account(const AcceptedTrial& accepted, Energy& energy) {
   const StepImpact& impact = solution.impact;
   const BlockState& from = impact.changes() ? impact.start : before;
   const VectorXd motion = accepted.motion();
+  if (impact.changes()) trial.builder().start_from(from, trial.contacts());
   energy.gravity -= trial.system().gravity_forces().dot(motion);
   energy.external += trial.system().load_forces().dot(motion);
   if (!blocks.quiet_faces.empty())
     energy.damping_dissipated -= trial.system().quiet_forces(solution.straight).dot(motion);
   if (trial.system().rule().has_half_steps()) {
-    if (impact.changes())
-      for (Contact& contact : trial.contacts()) trial.builder().start_from(from, contact);
     account_motion_step(trial.system(), from, solution.straight, solution.residual, trial.contacts(), energy);
     if (impact.changes()) book_shift(trial.system(), impact.shift, energy);
   } else {
-    if (impact.changes()) measure_contacts(from, solution.d, motion, trial);
+    if (impact.changes()) measure_contacts(solution.d, motion, trial);
     account_step(trial.system(), solution, motion, trial.contacts(), trial.builder().properties(), energy);
   }
 }

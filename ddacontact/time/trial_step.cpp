@@ -1,5 +1,6 @@
 #include <ddacontact/time/trial_step.hpp>
 
+#include <ddacontact/contact/contacts_by_pair.hpp>
 #include <ddacontact/contact/dashpots.hpp>
 #include <ddacontact/contact/seams.hpp>
 #include <ddacontact/core/for_all.hpp>
@@ -38,9 +39,27 @@ std::string why_rejected(SolutionStatus status, const std::string& between, bool
          (driven ? " (do supports in motion leave room?)" : whys.at(status)[1]);
 }
 
+/// Whether a vertex leaves an edge round the corner at its end: this corner bears on an edge beside the vertex, and
+/// the predicted motion takes the vertex past it. The vertex is in front of its own edge until then, and beyond it
+/// afterwards.
+/// \param[in] along  where the vertex is over its edge in the end, from the start of that, m
+bool leaves_round_corner(const BlockSystem& blocks, const Contact& contact, double along,
+                         std::span<const Contact> of_pair) {
+  const VertexEdge& leaving = contact.pair;
+  const auto is_end = [&](int vertex, int edge, int block) {
+    return vertex == edge || vertex == (edge + 1) % blocks.block(block).n_vertices();
+  };
+  return std::ranges::any_of(of_pair, [&](const Contact& corner) {
+    const auto& [block, vertex, other, edge, at_corner] = corner.pair;
+    const bool is_past = vertex == leaving.edge ? along < 0 : along > contact.edge_length();
+    return corner.closed() && is_past && block == leaving.edge_block && is_end(leaving.vertex, edge, other) &&
+           is_end(vertex, leaving.edge, block);
+  });
+}
+
 /// Finds which contacts meet their edges: the vertex is over the edge, or beyond its end by no more than the
 /// lip, where the predicted motion takes it past the line; if it does not, at the start. Of blocks that meet
-/// something else in the step no motion tells which edges they miss.
+/// something else in the step no motion tells which edges they miss, but for those that they leave round a corner.
 /// \param[in] starts  the contacts where the step begins, not where jumps of velocities let it begin: between
 ///                    that place and the end the way is taken as straight
 void find_meeting(const BlockSystem& blocks, const VectorXd& predicted, double lip, const StepImpact& impact,
@@ -61,13 +80,20 @@ void find_meeting(const BlockSystem& blocks, const VectorXd& predicted, double l
     }
     const bool passes = outside > 0 && end_gap < 0;
     const double passing = passes ? slip + outside / (outside - end_gap) * (end_slip - slip) : slip;
-    contact.meets = hit || contact.is_on_edge(passing, passes ? lip * contact.size : contact.end_tolerance());
+    contact.leaves =
+        moves && !contact.closed() &&
+        leaves_round_corner(blocks, contact, contact.history.lock * contact.edge_length() + end_slip,
+                            of_same_pair(contact.pair, contacts));
+    contact.meets = hit || (!contact.leaves && contact.is_on_edge(passing, passes ? lip * contact.size
+                                                                                  : contact.end_tolerance()));
     if (contact.closed() || (contact.meets && (hit || end_gap < 0)))
       for (int b : contact.pair.blocks()) touches[b] = blocks.is_movable(b);
   }
-  for (std::size_t c = 0; c < contacts.size(); ++c)
-    if (const VertexEdge& pair = contacts[c].pair; touches[pair.vertex_block] || touches[pair.edge_block])
-      contacts[c].meets = contacts[c].meets || starts[c].starts_on_edge();
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    Contact& contact = contacts[c];
+    if (touches[contact.pair.vertex_block] || touches[contact.pair.edge_block])
+      contact.meets = contact.meets || (!contact.leaves && starts[c].starts_on_edge());
+  }
 }
 
 }  // namespace
@@ -145,7 +171,6 @@ TrialSolution TrialStep::solve_with_impacts(double dt, const TrialSolution* warm
     StepImpact impact;
     {
       const polyfem::Stopwatch watch(times_.solver);
-      if (round > 0) solution.forces = forces();
       restart();
       impact = predict_impact({blocks(), state(), builder_->properties(), contacts_, rule, dt}, forced);
     }
@@ -153,13 +178,6 @@ TrialSolution TrialStep::solve_with_impacts(double dt, const TrialSolution* warm
     if (!solution.rejection.empty() || !find_unpredicted(dt, solution, forced)) break;
   }
   return solution;
-}
-
-std::vector<ContactForce> TrialStep::forces() const {
-  std::vector<ContactForce> forces;
-  forces.reserve(contacts_.size());
-  for (const Contact& contact : contacts_) forces.push_back({contact.normal, contact.shear});
-  return forces;
 }
 
 bool TrialStep::find_unpredicted(double dt, const TrialSolution& solution, std::vector<char>& forced) const {
@@ -176,7 +194,6 @@ bool TrialStep::find_unpredicted(double dt, const TrialSolution& solution, std::
 }
 
 TrialSolution TrialStep::solve_with(double dt, StepImpact impact, const TrialSolution* warm_start) {
-  assert(!warm_start || warm_start->forces.size() == contacts_.size());
   const BlockState& from = impact.changes() ? impact.start : state();
   const StepStart start = step_from(analysis_, from, dt);
   {
@@ -189,12 +206,7 @@ TrialSolution TrialStep::solve_with(double dt, StepImpact impact, const TrialSol
   solved_ = true;
   set_dashpots(blocks(), builder_->properties(), dt, contacts_);
   const std::vector<Contact> unshifted = impact.changes() ? contacts_ : std::vector<Contact>();
-  if (impact.changes())
-    for (Contact& contact : contacts_) builder_->start_from(from, contact);
-  for (std::size_t c = 0; warm_start && c < contacts_.size(); ++c) {
-    contacts_[c].normal = warm_start->forces[c].normal;
-    contacts_[c].shear = warm_start->forces[c].shear;
-  }
+  if (impact.changes()) builder_->start_from(from, contacts_);
   if (!is_classic()) {
     VectorXd predicted = predicted_motion(from, dt);
     find_meeting(blocks(), system_->displacement(predicted), builder_->properties().lip, impact,
@@ -203,14 +215,12 @@ TrialSolution TrialStep::solve_with(double dt, StepImpact impact, const TrialSol
   TrialSolution solution;
   const polyfem::Cholesky& cholesky = system_->problem().cholesky();
   const polyfem::CholeskyWork before = cholesky.work();
-  if (is_classic())
-    solve_by_open_close(solution);
-  else
-    solve_by_contact_solver(start, from, warm_start, solution);
+  take(is_classic() ? iterate_open_close(*system_, contacts_, solution.d)
+                    : solve_by_contact_solver(start, from, warm_start, solution),
+       solution);
   solution.straight = solution.d;
   solution.d = system_->displacement(solution.straight);
-  if (impact.changes())
-    for (Contact& contact : contacts_) builder_->start_from(state(), contact);
+  if (impact.changes()) builder_->start_from(state(), contacts_);
   solution.impact = std::move(impact);
   add(cholesky.work().since(before));
   return solution;
@@ -225,17 +235,9 @@ void TrialStep::add(const polyfem::CholeskyWork& work) {
   times_.solution += work.solution;
 }
 
-void TrialStep::solve_by_open_close(TrialSolution& solution) {
-  OpenCloseReport report = iterate_open_close(*system_, contacts_, solution.d);
-  counts_.contact_iterations += report.iterations;
-  solution.residual = std::move(report.residual);
-  solution.friction_unsettled = report.status == SolutionStatus::friction_unsettled;
-  solution.rejection =
-      why_rejected(report.status, between(report.disagreeing), is_driven(report.disagreeing));
-}
-
-void TrialStep::solve_by_contact_solver(const StepStart& start, const BlockState& from,
-                                        const TrialSolution* warm_start, TrialSolution& solution) {
+ContactSolverReport TrialStep::solve_by_contact_solver(const StepStart& start, const BlockState& from,
+                                                       const TrialSolution* warm_start,
+                                                       TrialSolution& solution) {
   options_.local =
       !is_static() && (start.rule.is_explicit() ||
                        std::all_of(contacts_.begin(), contacts_.end(), [&](const Contact& contact) {
@@ -249,9 +251,13 @@ void TrialStep::solve_by_contact_solver(const StepStart& start, const BlockState
   if (warm_start) solution.d += warm_start->straight - warm_start->start;
   const bool apart = analysis_.skip.islands && analysis_.preset != Preset::paper && !is_static() &&
                      islands_.divide(blocks(), contacts_);
-  ContactSolverReport report = apart ? islands_.solve(from, start, *system_, options_, contacts_, solution.d)
-                                     : solve_contacts(*system_, options_, contacts_, solution.d);
-  if (apart) add(islands_.last_work());
+  if (!apart) return solve_contacts(*system_, options_, contacts_, solution.d);
+  ContactSolverReport report = islands_.solve(from, start, *system_, options_, contacts_, solution.d);
+  add(islands_.last_work());
+  return report;
+}
+
+void TrialStep::take(ContactSolverReport report, TrialSolution& solution) {
   counts_.contact_iterations += report.iterations;
   counts_.interior_point_solves += report.interior_point_solves;
   counts_.augmentations += report.augmentations;
@@ -260,6 +266,7 @@ void TrialStep::solve_by_contact_solver(const StepStart& start, const BlockState
   counts_.solver_fallbacks += report.sweep_fallbacks;
   solution.tolerance = report.tolerance;
   solution.residual = std::move(report.residual);
+  solution.friction_unsettled = report.status == SolutionStatus::friction_unsettled;
   solution.rejection =
       why_rejected(report.status, between(report.worst_contact), is_driven(report.worst_contact));
 }

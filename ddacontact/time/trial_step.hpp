@@ -33,8 +33,7 @@ struct TrialSolution {
   std::string rejection;
   bool friction_unsettled = false;  ///< the only reason to reject it
   StepImpact impact;
-  VectorXd start;                    ///< where d was looked for from, without an earlier solution
-  std::vector<ContactForce> forces;  ///< of the contacts that it is solved again with
+  VectorXd start;  ///< where d was looked for from, without an earlier solution
 
   /// Displacements from where the blocks are at the start of the step.
   VectorXd motion() const { return impact.changes() ? VectorXd(d + impact.shift) : d; }
@@ -82,14 +81,11 @@ class TrialStep {
   const AnalysisOptions& analysis() const { return analysis_; }
   /// Contacts of the trial, as the last solution left them.
   std::vector<Contact>& contacts() { return contacts_; }
-  const std::vector<Contact>& contacts() const { return contacts_; }
   ContactBuilder& builder() { return *builder_; }
-  const ContactBuilder& builder() const { return *builder_; }
   /// System of the step, begun as the last solution left it.
   const StepSystem& system() const { return *system_; }
   bool has_system() const { return system_.has_value(); }
   ContactSolverOptions& options() { return options_; }
-  const ContactSolverOptions& options() const { return options_; }
 
   /// Times of the run: those of solutions are added.
   StepTimes& times() { return times_; }
@@ -109,7 +105,6 @@ class TrialStep {
   void keep_start();
   /// Restores the contacts to before the last solution, if there was one.
   void restart();
-  std::vector<ContactForce> forces() const;
   /// Displacements of all unknowns in a step from this state that velocities and supports predict.
   VectorXd predicted_motion(const BlockState& from, double dt) const;
   /// Solves with the impacts of the step.
@@ -119,13 +114,13 @@ class TrialStep {
   TrialSolution solve_with(double dt, StepImpact impact, const TrialSolution* warm_start);
   /// Solves without the contacts at corners that are in doubt.
   /// \param[in,out] with  the solution with them; its forces are used up
-  TrialSolution solve_without(const std::vector<int>& doubtful, double dt, TrialSolution& with);
+  TrialSolution solve_without(const std::vector<int>& doubtful, double dt, const TrialSolution& with);
   /// Marks in `forced` contacts that closed fast and were not predicted; false: there are none.
   bool find_unpredicted(double dt, const TrialSolution& solution, std::vector<char>& forced) const;
-  void solve_by_open_close(TrialSolution& solution);
   /// \param[in] from  where the step starts
-  void solve_by_contact_solver(const StepStart& start, const BlockState& from,
-                               const TrialSolution* warm_start, TrialSolution& solution);
+  ContactSolverReport solve_by_contact_solver(const StepStart& start, const BlockState& from,
+                                              const TrialSolution* warm_start, TrialSolution& solution);
+  void take(ContactSolverReport report, TrialSolution& solution);
   std::string between(int contact) const;
   /// Whether supports move a block of the contact.
   bool is_driven(int contact) const;

@@ -4,30 +4,11 @@
 
 namespace ddacontact {
 
-namespace {
-
-/// Those that contacts had, by the pairs that are still among them.
-std::vector<ContactForce> forces_still_there(const std::vector<Contact>& had,
-                                             const std::vector<Contact>& now) {
-  std::vector<ContactForce> forces;
-  for (const Contact& contact : now) {
-    const std::span<const Contact> before = of_same_pair(contact.pair, had);
-    const auto same = std::ranges::find(before, contact.pair, &Contact::pair);
-    forces.push_back(same == before.end() ? ContactForce{} : ContactForce{same->normal, same->shear});
-  }
-  return forces;
-}
-
-}  // namespace
-
-TrialSolution TrialStep::solve_without(const std::vector<int>& doubtful, double dt, TrialSolution& with) {
-  with.forces = forces();
+TrialSolution TrialStep::solve_without(const std::vector<int>& doubtful, double dt,
+                                       const TrialSolution& with) {
   restart();
   const std::vector<Contact> all = contacts_;
-  for (auto c = doubtful.rbegin(); c != doubtful.rend(); ++c) {
-    contacts_.erase(contacts_.begin() + *c);
-    with.forces.erase(with.forces.begin() + *c);
-  }
+  for (auto c = doubtful.rbegin(); c != doubtful.rend(); ++c) contacts_.erase(contacts_.begin() + *c);
   TrialSolution without = solve_with_impacts(dt, &with);
   contacts_ = all;
   solved_ = false;
@@ -64,7 +45,6 @@ TrialSolution TrialStep::solve(double dt) {
       break;
     }
     keep_start();
-    solution.forces = forces_still_there(solved, contacts_);
     solution = solve_with_impacts(dt, &solution);
     ++counts_.corner_solutions;
   }

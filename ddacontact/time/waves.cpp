@@ -11,10 +11,11 @@ double transit_time(const Block& block) {
   return block.size() / std::sqrt(block.material().elasticity(0, 0) / density);
 }
 
-bool carries_waves(const BlockSystem& blocks, const Contact& contact, double dt) {
+double impact_duration(const BlockSystem& blocks, const Contact& contact) {
+  double least = inf;
   for (int b : contact.pair.blocks())
-    if (blocks.is_movable(b) && dt >= transit_time(blocks.block(b))) return false;
-  return true;
+    if (blocks.is_movable(b)) least = std::min(least, transit_time(blocks.block(b)));
+  return least;
 }
 
 }  // namespace ddacontact

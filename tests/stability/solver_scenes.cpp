@@ -21,7 +21,7 @@ VectorXd StartedBlocks::elastic_force(int b, const VectorXd& d) const {
   block(b).begin_step(built_.stepper->state(), start_, step);
   BlockForces forces;
   step->forces(d, forces);
-  return forces.elastic;
+  return forces.elastic();
 }
 
 std::vector<ContactState> states(const Stepper& stepper) {

@@ -49,6 +49,7 @@ struct Flight {
   /// momenta
   Flight(double young, const VectorXd& rates, double stretch = 0)
       : owned(polygon(young)), block(rock(young), kite(), owned) {
+    block.number(0, 0, 0, 0, 0);
     const MotionShape& motions = shape.motions();
     Points y = motions.nodes;
     y(0, 0) += stretch;
@@ -67,18 +68,24 @@ struct Flight {
     const auto resisting = [&](const VectorXd& at) -> VectorXd {
       BlockForces forces;
       motion.forces(at, forces);
-      return forces.inertia;
+      return forces.inertia();
     };
     const VectorXd at_zero = resisting(VectorXd::Zero(n));
     MatrixXd A(n, n);
     for (Index k = 0; k < n; ++k) A.col(k) = resisting(VectorXd::Unit(n, k)) - at_zero;
     EXPECT_LE((A - A.transpose()).norm(), 1e-9 * A.norm());
-    Points points(2, 4);
     const VectorXd d = -A.ldlt().solve(at_zero);
     lost = motion.losses(d);
     stored = motion.stored_energy(d);
     resultant = motion.resultant(d);
-    motion.end(d, VectorXd(), coordinates, points, velocity);
+    BlockState next;
+    next.origin = Points::Zero(2, 1);
+    next.position = Points::Zero(2, 4);
+    next.coordinates = coordinates;
+    next.carried = velocity;
+    motion.end(d, VectorXd(), false, next);
+    coordinates = next.coordinates;
+    velocity = next.carried;
     previous = length;
   }
   VectorXd rates() const {

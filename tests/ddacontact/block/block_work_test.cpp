@@ -51,7 +51,7 @@ struct FlyingBlocks {
       parts[b].resize(1);
       step.tangent(d.segment(u.first, u.count), parts[b]);
       energy += step.stored_energy(d.segment(u.first, u.count)) +
-                step.elastic_loss(d.segment(u.first, u.count), forces.elastic) +
+                step.elastic_loss(d.segment(u.first, u.count), forces.elastic()) +
                 block.kinetic_energy(state.velocity.segment(u.first, u.count)) + block.elastic_energy(state);
       step.end(d.segment(u.first, u.count), change.segment(u.first, u.count), true, next);
     }
@@ -127,8 +127,8 @@ TEST(BlockWork, OnArraysOfKnownSizeIsThatOnAny) {
       CorotationalStep<Of> step(block, *shape);
       step.begin(rule, 1e-3, y, v, v, stress);
       step.forces(d, forces);
-      EXPECT_LE((forces.elastic - expected.elastic).norm(), 1e-13 * expected.elastic.norm());
-      EXPECT_LE((forces.inertia - expected.inertia).norm(), 1e-12 * expected.inertia.norm());
+      EXPECT_LE((forces.elastic() - expected.elastic()).norm(), 1e-13 * expected.elastic().norm());
+      EXPECT_LE((forces.inertia() - expected.inertia()).norm(), 1e-12 * expected.inertia().norm());
       const auto moved = of.to_nodes(d);
       EXPECT_NEAR(step.stored_energy(d), plain.stored_energy(d), 1e-13 * std::abs(plain.stored_energy(d)));
       EXPECT_LE((step.end(moved).velocity - plain.end(moved).velocity).norm(),

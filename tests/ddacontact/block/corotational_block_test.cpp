@@ -78,7 +78,7 @@ struct OneBlock {
   VectorXd resistance(const VectorXd& at) const {
     BlockForces f;
     begun->forces(at, f);
-    return f.elastic + f.inertia + f.damping;
+    return f.elastic() + f.inertia() + f.damping();
   }
   void step(const StepRule& rule, double dt, bool is_free = true) {
     begin(rule, dt);

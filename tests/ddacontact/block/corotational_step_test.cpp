@@ -71,7 +71,7 @@ class CorotationalSteps : public testing::TestWithParam<int> {
   static VectorXd elastic(const CorotationalStep<polyfem::AnyNodes>& step, const VectorXd& d) {
     BlockForces forces;
     step.forces(d, forces);
-    return forces.elastic;
+    return forces.elastic();
   }
 };
 
@@ -135,7 +135,7 @@ TEST_P(CorotationalSteps, TangentIsTheDerivativeOfTheForces) {
   const auto resistance = [&](double t) -> VectorXd {
     BlockForces f;
     step.forces(t * way, f);
-    return f.elastic + f.inertia + f.damping;
+    return f.elastic() + f.inertia() + f.damping();
   };
   std::vector<MatrixXd> parts(shape.cells.size());
   step.tangent(VectorXd::Zero(shape.n_unknowns()), parts);

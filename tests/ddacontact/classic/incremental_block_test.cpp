@@ -288,14 +288,14 @@ TEST_P(BlockModels, ATangentIsTheDerivativeOfTheForcesOfAStep) {
     const auto sum = [&](const VectorXd& at) -> VectorXd {
       BlockForces forces;
       step->forces(at, forces);
-      return forces.elastic + forces.inertia + forces.damping;
+      return forces.elastic() + forces.inertia() + forces.damping();
     };
     const VectorXd change = support::tangent_of(one.block(), *step, d) * h;
     EXPECT_LE((sum(d + h) - sum(d) - change).norm(), 1e-9 * change.norm());
     BlockForces forces;
     step->forces(d, forces);
     const double stored = step->stored_energy(d + 1e-3 * h) - step->stored_energy(d - 1e-3 * h);
-    EXPECT_NEAR(stored, 2e-3 * forces.elastic.dot(h), 1e-8 * forces.elastic.norm());
+    EXPECT_NEAR(stored, 2e-3 * forces.elastic().dot(h), 1e-8 * forces.elastic().norm());
     VectorXd F = VectorXd::Zero(v.size());
     one.block().add_stress_forces(one.state, F);
     EXPECT_LE((sum(VectorXd::Zero(n)) - one.block().mass() * one.part(-a - 4 / dt * v) + one.part(F)).norm(),
@@ -305,8 +305,8 @@ TEST_P(BlockModels, ATangentIsTheDerivativeOfTheForcesOfAStep) {
     next.velocity = v;
     next.carried = a;
     step->end(d, VectorXd::Zero(n), true, next);
-    EXPECT_LE((one.block().mass() * one.part(next.carried) - forces.inertia).norm(),
-              1e-9 * forces.inertia.norm());
+    EXPECT_LE((one.block().mass() * one.part(next.carried) - forces.inertia()).norm(),
+              1e-9 * forces.inertia().norm());
     EXPECT_LE((next.velocity - v - dt / 2 * (a + next.carried)).norm(), 1e-12 * next.velocity.norm());
     EXPECT_LE((one.part(dt * v + dt * dt / 4 * (a + next.carried)) - d).norm(), 1e-12);
     VectorXd path(n);

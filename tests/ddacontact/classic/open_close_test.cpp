@@ -16,7 +16,7 @@ struct OneStep {
   StepSystem system;
   std::vector<Contact> contacts;
   VectorXd d;
-  OpenCloseReport report;
+  ContactSolverReport report;
 
   explicit OneStep(const Vec2& force, double cohesion = 0)
       : built(build(scene(force, cohesion))), system(blocks_of(built)) {
@@ -109,8 +109,8 @@ TEST(OpenClose, WithoutContactsOneSolutionIsEnough) {
   std::vector<Contact> none;
   VectorXd d;
   system.set_step(built.stepper->state(), step_start(built.stepper->state(), 0.1), 1e9);
-  const OpenCloseReport report = iterate_open_close(system, none, d);
+  const ContactSolverReport report = iterate_open_close(system, none, d);
   EXPECT_EQ(report.status, SolutionStatus::settled);
   EXPECT_EQ(report.iterations, 1);
-  EXPECT_EQ(report.disagreeing, -1);
+  EXPECT_EQ(report.worst_contact, -1);
 }

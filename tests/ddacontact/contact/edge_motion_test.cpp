@@ -280,8 +280,8 @@ TEST_P(EdgeMotion, FormsOfPointsWithUnknownsOfTheirOwnAreThoseOfAnyPoints) {
     const Vec6 x = random_place(0.5, random);
     const VectorXd d = 0.05 * VectorXd::Random(8);
     const VertexEdgeGradient by = gradient_at(measure.gradient(x));
-    const MovingVertexEdge of_own{place_at(x), PointMap(a), PointMap(b), PointMap(c)},
-        of_any{place_at(x), {a, axes}, {b, axes}, {c, axes}};
+    const MovingVertexEdge of_own{{place_at(x)}, PointMap(a), PointMap(b), PointMap(c), {}},
+        of_any{{place_at(x)}, {a, axes}, {b, axes}, {c, axes}, {}};
     const AffineForm own = of_own.linear_form(1, by, d), any = of_any.linear_form(1, by, d);
     EXPECT_EQ(own.constant, any.constant);
     ASSERT_TRUE(std::ranges::equal(own.unknowns(), any.unknowns()));
@@ -298,7 +298,7 @@ TEST_P(EdgeMotion, LinearFormHasTheValueAtItsUnknownsAndTheDerivativesByThem) {
     const auto value = [&](const VectorXd& d) { return measure.value(x0 + coordinates({i(d), j(d), k(d)})); };
     const VectorXd d = 0.05 * VectorXd::Random(12), change = VectorXd::Random(12);
     const VertexEdgeGradient by = gradient_at(measure.gradient(x0 + coordinates({i(d), j(d), k(d)})));
-    const AffineForm form = MovingVertexEdge{place_at(x0), i, j, k}.linear_form(value(d), by, d);
+    const AffineForm form = MovingVertexEdge{{place_at(x0)}, i, j, k, {}}.linear_form(value(d), by, d);
 
     const double h = 1e-6;
     EXPECT_NEAR(form(d), value(d), 1e-15);
@@ -313,8 +313,8 @@ TEST(EdgeMotion, ABlockOfTwoUnknownsFits) {
   const std::vector<PointMap::Term> terms{{7, Vec2::UnitX()}, {3, Vec2::UnitY()}};
   const PointMap translating(0, terms);
   const VertexEdgePositions positions{{0.25, -0.5}, {0, 0}, {1, 0}};
-  const MovingVertexEdge vertex{positions, translating, {}, {}},
-      edge{positions, {}, translating, translating};
+  const MovingVertexEdge vertex{{positions}, translating, {}, {}, {}},
+      edge{{positions}, {}, translating, translating, {}};
   const AffineForm on_fixed = vertex.form(gap_form(positions)), on_moving = edge.form(gap_form(positions)),
                    slip = edge.form(slip_form(positions, 0.75));
   VectorXd d = VectorXd::Zero(8);

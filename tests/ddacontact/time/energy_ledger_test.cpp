@@ -16,7 +16,7 @@ class MisjudgedStep final : public BlockStep {
   void free_path(Eigen::Ref<VectorXd> path) const override { right_->free_path(path); }
   void forces(const Eigen::Ref<const VectorXd>& d, BlockForces& forces) const override {
     right_->forces(d, forces);
-    forces.elastic *= factor_;
+    forces.elastic() *= factor_;
   }
   void tangent(const Eigen::Ref<const VectorXd>& d, std::span<MatrixXd> parts) const override {
     right_->tangent(d, parts);
@@ -59,9 +59,7 @@ class MisjudgedBlock final : public Block {
   const Eigen::Matrix<double, Eigen::Dynamic, 2>& translations() const override {
     return right_.translations();
   }
-  void rotation(const BlockState& state, Eigen::Ref<VectorXd> unknowns) const override {
-    right_.rotation(state, unknowns);
-  }
+  VectorXd rotation(const BlockState& state) const override { return right_.rotation(state); }
   void add_body_force(const Vec2& b, VectorXd& F) const override { right_.add_body_force(b, F); }
   void begin_step(const BlockState& state, const StepStart& start,
                   std::unique_ptr<BlockStep>& step) const override {

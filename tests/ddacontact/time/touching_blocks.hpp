@@ -65,8 +65,11 @@ struct TouchingBlocks {
   }
   void add_contact(int a, int i, int b, int e, double friction, double restitution) {
     const VertexEdgePositions point{vertex(a, i), vertex(b, e), vertex(b, e + 1)};
-    const MovingVertexEdge motion{point, blocks.block(a).vertex_map(i), blocks.block(b).vertex_map(e),
-                                  blocks.block(b).vertex_map((e + 1) % blocks.block(b).n_vertices())};
+    const MovingVertexEdge motion{{point},
+                                  blocks.block(a).vertex_map(i),
+                                  blocks.block(b).vertex_map(e),
+                                  blocks.block(b).vertex_map((e + 1) % blocks.block(b).n_vertices()),
+                                  {}};
     ImpactContact contact;
     contact.gap = motion.form(gap_form(point));
     contact.slip = motion.form(slip_form(point, edge_fraction(point.i, point.j, point.k)));

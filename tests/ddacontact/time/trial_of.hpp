@@ -50,7 +50,7 @@ struct TrialOf {
   Vec2 velocity(const BlockState& of, int b) const {
     return rigid_velocity(blocks.block(b), of, of.going_on()).linear;
   }
-  double normal_force() const {
+  double normal_force() {
     double sum = 0;
     for (const Contact& contact : trial.contacts()) sum += contact.normal;
     return sum;
