@@ -44,6 +44,11 @@ bool ContactBuilder::find_missed(const BlockState& start, const BlockState& end,
                  start_b = from_origin_of_a(start, b), end_b = from_origin_of_a(end, b);
     find_missed_penetrations({a, start_a, end_a}, {b, start_b, end_b}, lip(a, b, false), missed_);
   }
+  // What supports alone press into each other has no force that one could tell.
+  std::erase_if(missed_, [&](const VertexEdge& entry) {
+    return !blocks_.is_free(entry.vertex_block) && !blocks_.is_free(entry.edge_block) &&
+           !properties_.strength(entry).is_compliant() && !can_change(start, entry, {});
+  });
   std::erase_if(missed_, [&](const VertexEdge& entry) {
     return std::ranges::any_of(of_same_pair(entry, contacts), [&](const Contact& of) {
       return of.pair == entry || are_at_one_place(start, of.pair, entry);

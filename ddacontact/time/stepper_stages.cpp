@@ -242,10 +242,12 @@ void Stepper::restore(StepRecord record) {
   if (record.progress.stage < progress_.stage)
     throw Error("the record is of stage " + std::to_string(record.progress.stage) +
                 ", which is over (restore it to a new stepper)");
-  if (record.state.position.cols() != state_.position.cols() ||
-      record.state.velocity.size() != state_.velocity.size() ||
-      record.state.stress.cols() != state_.stress.cols() ||
-      record.state.bolts.size() != state_.bolts.size() ||
+  const auto sizes = [](const BlockState& of) {
+    return std::array{of.position.cols(), of.origin.cols(), of.rotation.size(),
+                      of.velocity.size(), of.stress.cols(), std::ssize(of.bolts)};
+  };
+  const auto n_slept = std::ssize(record.sleeping.island);
+  if (sizes(record.state) != sizes(state_) || (n_slept != 0 && n_slept != blocks_.n_blocks()) ||
       record.progress.stage >= static_cast<int>(stages_.size()) ||
       !std::ranges::all_of(record.contacts,
                            [&](const ContactRecord& contact) { return is_between(blocks_, contact.pair); }))

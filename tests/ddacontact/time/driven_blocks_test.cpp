@@ -100,3 +100,18 @@ TEST(DrivenBlocks, BlocksHeldInPartThatNothingCanPartStopTheRunAndAreNamed) {
       EXPECT_EQ(reason_to_stop(scene), "") << "apart";
     }
 }
+
+/// Vertices that supports hold across the joint, and leave free along it, have no force that one could tell.
+TEST(DrivenBlocks, WhatSupportsPressTogetherIsNotPushedApart) {
+  Scene scene = driven(0, {0, 0}, {-6e-4, 0});
+  scene.blocks[1].vertices.row(1).array() += 0.3;
+  for (Support& support : scene.supports) support.fix_y = false;
+  scene.analysis.gravity.setZero();
+  const BuiltScene built = build(scene);
+  for (int step = 0; step < scene.analysis.steps; ++step)
+    ASSERT_TRUE(built.stepper->step()) << built.stepper->stop_reason();
+  const Energy& energy = built.stepper->energy().now;
+  EXPECT_EQ(built.stepper->counts().rejected, 0);
+  EXPECT_LT(std::abs(energy.external), 1e-2);
+  EXPECT_LT(energy.pushed_out, 1e-2);
+}
