@@ -43,10 +43,17 @@ double Block::furthest_vertex(const VectorXd& d) const {
   return std::sqrt(furthest);
 }
 
+VectorXd Block::rotation(const BlockState& state) const {
+  VectorXd unknowns(n_unknowns());
+  rotation(state, unknowns);
+  return unknowns;
+}
+
 RigidModes Block::rigid_modes(const BlockState& state) const {
   RigidModes modes;
   modes.resize(n_unknowns(), Eigen::NoChange);
-  modes << translations(), rotation(state);
+  modes.leftCols<2>() = translations();
+  rotation(state, modes.col(2));
   return modes;
 }
 

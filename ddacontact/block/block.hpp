@@ -106,7 +106,8 @@ class Block {
   /// Unknowns of a unit translation in x and in y: n_unknowns x 2.
   virtual const Eigen::Matrix<double, Eigen::Dynamic, 2>& translations() const = 0;
   /// Writes the unknowns of a unit rotation about the centroid.
-  virtual VectorXd rotation(const BlockState& state) const = 0;
+  virtual void rotation(const BlockState& state, Eigen::Ref<VectorXd> unknowns) const = 0;
+  VectorXd rotation(const BlockState& state) const;
   /// The two translations and the rotation.
   RigidModes rigid_modes(const BlockState& state) const;
   /// The integration points (2 x n_stress_points) from the centroid, in the frame that stresses are kept in.

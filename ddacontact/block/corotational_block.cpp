@@ -55,12 +55,10 @@ void CorotationalBlock::add_body_force(const Vec2& b, VectorXd& F) const {
   });
 }
 
-VectorXd CorotationalBlock::rotation(const BlockState& state) const {
-  VectorXd unknowns(n_unknowns());
+void CorotationalBlock::rotation(const BlockState& state, Eigen::Ref<VectorXd> unknowns) const {
   with_nodes(*shape_, [&](const auto& nodes) {
     nodes.to_unknowns(nodes.spin(nodes.of_points(points().columns_of(state.position))), unknowns);
   });
-  return unknowns;
 }
 
 TensorsRef CorotationalBlock::initial_stress(const BlockState& state) const {

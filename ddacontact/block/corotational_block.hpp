@@ -30,7 +30,8 @@ class CorotationalBlock final : public Block {
   const Eigen::Matrix<double, Eigen::Dynamic, 2>& translations() const override {
     return shape_->translations;
   }
-  VectorXd rotation(const BlockState& state) const override;
+  using Block::rotation;
+  void rotation(const BlockState& state, Eigen::Ref<VectorXd> unknowns) const override;
   MatrixXd times_mass(const Eigen::Ref<const MatrixXd>& velocities) const override;
   void add_body_force(const Vec2& b, VectorXd& F) const override;
   void begin_step(const BlockState& state, const StepStart& start,

@@ -16,7 +16,11 @@ class IncrementalBlock : public Block {
   void begin_step(const BlockState& state, const StepStart& start,
                   std::unique_ptr<BlockStep>& step) const override;
   const Eigen::Matrix<double, Eigen::Dynamic, 2>& translations() const override { return translations_; }
-  VectorXd rotation(const BlockState& /*state*/) const override { return rotation_; }
+  using Block::rotation;
+  /// On the shape that the block was made of.
+  void rotation(const BlockState& /*state*/, Eigen::Ref<VectorXd> unknowns) const override {
+    unknowns = rotation_;
+  }
   MatrixXd times_mass(const Eigen::Ref<const MatrixXd>& velocities) const override {
     return mass_ * velocities;
   }

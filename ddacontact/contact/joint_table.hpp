@@ -65,12 +65,16 @@ class JointTable {
   }
   /// The number of the entry that two materials follow.
   int number_between(int material_a, int material_b) const {
-    using Between = decltype(Entry::between);
-    for (const Between& of :
-         {Between({material_a, material_b}), Between({material_b, material_a}), Between()})
-      if (const auto found = std::ranges::find(entries_, of, &Entry::between); found != entries_.end())
-        return static_cast<int>(found - entries_.begin());
-    return 0;
+    int general = -1;
+    for (int e = 0; e < static_cast<int>(entries_.size()); ++e) {
+      if (!entries_[e].between) {
+        if (general < 0) general = e;
+        continue;
+      }
+      const auto [p, q] = *entries_[e].between;
+      if ((p == material_a && q == material_b) || (p == material_b && q == material_a)) return e;
+    }
+    return std::max(general, 0);
   }
 
  private:

@@ -23,8 +23,9 @@ using polyfem::Vec2;
 using polyfem::Vec3;
 using polyfem::VectorXd;
 
-/// A vector as an argument, and one that is written to.
+/// A vector as an argument.
 using VectorIn = Eigen::Ref<const VectorXd>;
+/// A vector that is written to.
 using VectorOut = Eigen::Ref<VectorXd>;
 
 /// Infinity.

@@ -48,12 +48,14 @@ Equilibrium find_equilibrium(const StepSystem& system, const TrialSolution& solu
     total[held.unknown] += solution.residual.force[held.unknown];
 
   Equilibrium found = find_motion(blocks, velocity);
+  VectorXd turning;
   for (int b = 0; b < blocks.n_blocks(); ++b) {
     // What supports drive has no balance of its own.
     if (blocks.is_unchanging(b) || !blocks.is_movable(b)) continue;
     const Block& block = blocks.block(b);
     const Range& u = block.unknowns();
-    const VectorXd turning = block.rotation(before);
+    turning.resize(u.count);
+    block.rotation(before, turning);
     const auto size_of = [&](const VectorXd& forces) {
       return larger(block, block.translations().transpose() * u.of(forces), turning.dot(u.of(forces)));
     };

@@ -10,7 +10,7 @@ import re
 import sys
 
 FOLDERS = ("block", "classic", "contact", "detection", "equations", "solver", "time")
-MOST_LINES = 12345
+MOST_LINES = 12360
 MOST_NUMBERS = 117
 
 NUMBER = re.compile(r"(?<![\w.])(\d+\.?\d*(?:[eE][-+]?\d+)?|\.\d+(?:[eE][-+]?\d+)?)(?![\w.])")

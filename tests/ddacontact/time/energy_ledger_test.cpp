@@ -59,7 +59,9 @@ class MisjudgedBlock final : public Block {
   const Eigen::Matrix<double, Eigen::Dynamic, 2>& translations() const override {
     return right_.translations();
   }
-  VectorXd rotation(const BlockState& state) const override { return right_.rotation(state); }
+  void rotation(const BlockState& state, Eigen::Ref<VectorXd> unknowns) const override {
+    right_.rotation(state, unknowns);
+  }
   void add_body_force(const Vec2& b, VectorXd& F) const override { right_.add_body_force(b, F); }
   void begin_step(const BlockState& state, const StepStart& start,
                   std::unique_ptr<BlockStep>& step) const override {
