@@ -56,10 +56,9 @@ TEST(Brink, ABlockLeavesItWithoutABlowWhereverItsCornerIsWithinTheStep) {
     for (const double behind : {1.0, 1.0137, 1.0274}) {
       const BuiltScene built = build(block_before_brink(behind, speed, time_step));
       const Stepper& stepper = *built.stepper;
-      const auto trailing = [&]() -> Vec2 {
-        return stepper.state().position.col(4) + stepper.state().origin.col(1);
-      };
-      while (trailing().x() < 0.03) ASSERT_TRUE(built.stepper->step()) << stepper.stop_reason();
+      const auto trailing = [&] { return stepper.state().position(0, 4) + stepper.state().origin(0, 1); };
+      const double start = trailing(), beyond_brink = behind + width + 0.03;
+      while (trailing() - start < beyond_brink) ASSERT_TRUE(built.stepper->step()) << stepper.stop_reason();
       const Energy& energy = stepper.energy().now;
       const double turning =
           rigid_velocity(stepper.blocks().block(1), stepper.state(), stepper.state().velocity).angular;
