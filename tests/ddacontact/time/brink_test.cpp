@@ -20,6 +20,8 @@ Scene block_before_brink(double behind, double speed, double time_step) {
   scene.analysis.gravity = {along_table, onto_table};
   scene.materials = {{"rock", 2500, 2e10, 0.2}};
   scene.joints = {{"joint", 0, 0, 0, std::nullopt}};
+  scene.contact.normal_stiffness = 8e11;
+  scene.contact.tangential_stiffness = 3.2e11;
   scene.blocks = {block(rectangle(-6, -1, 6, 1), true), block(rectangle(-behind - width, 0, width, height))};
   scene.blocks[1].velocity = {speed, 0};
   return scene;
