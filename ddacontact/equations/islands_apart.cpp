@@ -102,7 +102,6 @@ Contact IslandsApart::Island::to_part(Contact contact) const {
   return contact;
 }
 
-/// Adds how the contact solver ended in the part to what is reported of the whole.
 void IslandsApart::Island::add_to(ContactSolverReport& report, const ContactSolverReport& of_own) const {
   report.status = of_own.status;
   report.worst_contact = of_own.worst_contact < 0 ? -1 : contacts[of_own.worst_contact];

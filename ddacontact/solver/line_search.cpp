@@ -6,6 +6,8 @@
 
 namespace ddacontact {
 
+// Every value is summed anew: sums that run from break to break keep the round-off of the stiffest spring
+// after it has ceased to act.
 double minimum_along(std::span<const LineSpring> springs, double slope, double curvature) {
   std::vector<double> breaks;  // t > 0 at which a spring begins or ceases to follow its form
   for (const auto& [spring, rate] : springs)

@@ -113,7 +113,7 @@ class TrialStep {
   /// Solves with a predicted impact.
   TrialSolution solve_with(double dt, StepImpact impact, const TrialSolution* warm_start);
   /// Solves without the contacts at corners that are in doubt.
-  /// \param[in,out] with  the solution with them; its forces are used up
+  /// \param[in] with  the solution with them
   TrialSolution solve_without(const std::vector<int>& doubtful, double dt, const TrialSolution& with);
   /// Marks in `forced` contacts that closed fast and were not predicted; false: there are none.
   bool find_unpredicted(double dt, const TrialSolution& solution, std::vector<char>& forced) const;
