@@ -33,15 +33,33 @@ struct ContactHistory {
   bool bonded = false;  ///< closed at the start and never slid or opened
 };
 
+/// The circle of a rounded corner in motion: it is tied to the segment from i to the vertex after it.
+struct MovingRounding : Rounding {
+  Vec2 start_after_i{0, 0};
+  PointMap after_i{};
+};
+
 /// A vertex and an edge in motion: where they start, seen from the origin of the edge's block, and how the
 /// unknowns move them.
 struct MovingVertexEdge {
-  RoundedPositions start;
-  PointMap i, j, k, after_i;
-  std::shared_ptr<const Rounding> rounding{};  ///< none: the corner is sharp
+  VertexEdgePositions start;
+  PointMap i, j, k;
+  std::shared_ptr<const MovingRounding> rounding{};  ///< none: the corner is sharp
 
+  RoundedPositions start_of_all() const { return {start, rounding ? rounding->start_after_i : Vec2::Zero()}; }
+  void start_from(const RoundedPositions& positions) {
+    start = positions;
+    change_rounding([&](MovingRounding& of) { of.start_after_i = positions.after_i; });
+  }
+  /// Copies of this keep theirs.
+  void change_rounding(const auto& change) {
+    if (!rounding) return;
+    auto changed = std::make_shared<MovingRounding>(*rounding);
+    change(*changed);
+    rounding = std::move(changed);
+  }
   RoundedPositions moved(const VectorXd& d) const {
-    return {{i(d), j(d), k(d)}, rounding ? after_i(d) : Vec2::Zero()};
+    return {{i(d), j(d), k(d)}, rounding ? rounding->after_i(d) : Vec2::Zero()};
   }
   /// Gap and slip after the motion `by` from these positions.
   GapAndSlip gap_and_slip_from(const RoundedPositions& positions, const RoundedPositions& by, double lock,
@@ -50,22 +68,23 @@ struct MovingVertexEdge {
                     : gap_and_slip(positions, by, lock, directions);
   }
   GapAndSlip gap_and_slip_at(const VectorXd& d, double lock, Directions directions) const {
-    return gap_and_slip_from(start, moved(d), lock, directions);
+    return gap_and_slip_from(start_of_all(), moved(d), lock, directions);
   }
   GapAndSlip rates_at(const RoundedPositions& positions, double lock) const {
     return gap_and_slip_from(positions, {{Vec2::Zero(), Vec2::Zero(), Vec2::Zero()}, Vec2::Zero()}, lock,
                              Directions::of_end);
   }
-  double start_gap() const { return rounding ? rates_at(start, 0).gap : gap(start); }
+  GapAndSlip rates_at_start(double lock) const { return rates_at(start_of_all(), lock); }
+  double start_gap() const { return rounding ? rates_at_start(0).gap : gap(start); }
   /// The vertex whose position along the line j-k is the slip, with that line.
   VertexEdgePositions slip_positions() const {
-    return rounding ? ddacontact::slip_positions(start, *rounding) : VertexEdgePositions(start);
+    return rounding ? ddacontact::slip_positions(start_of_all(), *rounding) : start;
   }
   bool is_at_corner() const { return rounding && rounding->corner; }
 
   AffineForm form(const VertexEdgeGradient& gradient) const {
     AffineForm form = gradient_form(gradient, i, j, k);
-    if (rounding) after_i.add_to(form, gradient.after_i);
+    if (rounding) rounding->after_i.add_to(form, gradient.after_i);
     return form;
   }
   AffineForm form(const VertexEdgeForm& of_points) const {
@@ -75,7 +94,7 @@ struct MovingVertexEdge {
   }
   double change_along(const VertexEdgeGradient& gradient, const VectorXd& d) const {
     const double change = ddacontact::change_along(gradient, i, j, k, d);
-    return rounding ? change + gradient.after_i.dot(after_i(d)) : change;
+    return rounding ? change + gradient.after_i.dot(rounding->after_i(d)) : change;
   }
   /// The affine form that has this value at d and this gradient: coefficients by way of the derivatives i, j,
   /// k of the positions by the unknowns. It returns the value to the rounding of its terms at d.
@@ -134,12 +153,12 @@ struct Contact : ContactRecord {
   /// (36) and (44), the gap without its offset: of first order in displacements from the start.
   VertexEdgeForm first_gap() const {
     if (!motion.rounding) return gap_form(motion.start);
-    const GapAndSlip rates = motion.rates_at(motion.start, history.lock);
+    const GapAndSlip rates = motion.rates_at_start(history.lock);
     return {rates.gap, rates.by_gap};
   }
   VertexEdgeForm first_slip() const {
     if (!motion.rounding) return slip_form(motion.start, history.lock);
-    const GapAndSlip rates = motion.rates_at(motion.start, history.lock);
+    const GapAndSlip rates = motion.rates_at_start(history.lock);
     return {rates.slip, rates.by_slip};
   }
 

@@ -327,7 +327,7 @@ void ContactBuilder::restart(Contact& contact) const {
 }
 
 void ContactBuilder::start_from(const BlockState& state, std::vector<Contact>& contacts) const {
-  for (Contact& contact : contacts) contact.motion.start = positions_of(blocks_, state, contact.pair);
+  for (Contact& contact : contacts) contact.motion.start_from(positions_of(blocks_, state, contact.pair));
 }
 
 void ContactBuilder::build(const BlockState& state, const VectorXd& motion,

@@ -57,20 +57,24 @@ RoundedPositions positions_of(const BlockSystem& blocks, const BlockState& state
 void set_maps(const BlockSystem& blocks, const VertexEdge& pair, MovingVertexEdge& motion) {
   const Block &of_vertex = blocks.block(pair.vertex_block), &of_edge = blocks.block(pair.edge_block);
   motion.i = of_vertex.vertex_map(pair.vertex);
-  motion.after_i = of_vertex.vertex_map((pair.vertex + 1) % of_vertex.n_vertices());
   motion.j = of_edge.vertex_map(pair.edge);
   motion.k = of_edge.vertex_map((pair.edge + 1) % of_edge.n_vertices());
+  motion.change_rounding([&](MovingRounding& of) {
+    of.after_i = of_vertex.vertex_map((pair.vertex + 1) % of_vertex.n_vertices());
+  });
 }
 
 MovingVertexEdge motion_of(const BlockSystem& blocks, const BlockState& state, const VertexEdge& pair,
                            double inset) {
   MovingVertexEdge motion;
-  motion.start = positions_of(blocks, state, pair);
+  const RoundedPositions start = positions_of(blocks, state, pair);
+  motion.start = start;
+  if (blocks.has_rounded_corners() || inset > 0)
+    motion.rounding = std::make_shared<const MovingRounding>(
+        MovingRounding{blocks.has_rounded_corners() ? rounding_of(blocks, pair, start)
+                                                    : inset_of(blocks, state, pair, start, inset),
+                       start.after_i});
   set_maps(blocks, pair, motion);
-  if (blocks.has_rounded_corners())
-    motion.rounding = std::make_shared<const Rounding>(rounding_of(blocks, pair, motion.start));
-  else if (inset > 0)
-    motion.rounding = std::make_shared<const Rounding>(inset_of(blocks, state, pair, motion.start, inset));
   return motion;
 }
 

@@ -50,7 +50,7 @@ double ContactProperties::inset(const ContactRecord& contact) const {
 void ContactProperties::add_forces(const BlockSystem& blocks, const BlockState& state,
                                    const ContactRecord& contact, VectorXd& F) const {
   const MovingVertexEdge motion = motion_of(blocks, state, contact.pair, inset(contact));
-  const GapAndSlip rates = motion.rates_at(motion.start, contact.history.lock);
+  const GapAndSlip rates = motion.rates_at_start(contact.history.lock);
   motion.form(rates.by_gap).add_gradient(contact.normal, F);
   motion.form(rates.by_slip).add_gradient(contact.shear, F);
 }

@@ -31,7 +31,7 @@ void account_contacts(const StepSystem& system, const BlockState& from, const Ve
   std::vector<Vec2> losses(blocks.n_blocks(), Vec2::Zero());  // of islands with hit blocks
   for (Contact& contact : contacts) {
     if (contact.normal == 0 && contact.shear == 0 && !contact.law.compliant) continue;
-    const GapAndSlip start = contact.motion.rates_at(contact.motion.start, contact.history.lock);
+    const GapAndSlip start = contact.motion.rates_at_start(contact.history.lock);
     contact.gap_change = contact.motion.change_along(start.by_gap, straight);
     contact.slip_change = contact.motion.change_along(start.by_slip, straight);
     if (contact.law.compliant) {

@@ -29,22 +29,20 @@ class RandomContacts : public testing::TestWithParam<bool> {
   Contact any_contact() {
     Contact contact;
     contact.motion = {
-        {{Vec2(0.3, -0.4) + any(0.2), any(0.1), Vec2(1, 0) + any(0.1)}, Vec2(1.2, -1) + any(0.2)},
-        PointMap(0),
-        PointMap(2),
-        PointMap(4),
-        PointMap(6)};
+        {Vec2(0.3, -0.4) + any(0.2), any(0.1), Vec2(1, 0) + any(0.1)}, PointMap(0), PointMap(2), PointMap(4)};
     contact.history.lock = uniform(0, 1, random);
     contact.size = 1;
     if (GetParam())
-      contact.motion.rounding =
-          std::make_shared<Rounding>(Rounding{.centre = {0.1, 0.1}, .surface = {0.02, 0.05}, .radius = 0.1});
+      contact.motion.rounding = std::make_shared<MovingRounding>(
+          MovingRounding{{.centre = {0.1, 0.1}, .surface = {0.02, 0.05}, .radius = 0.1},
+                         Vec2(1.2, -1) + any(0.2),
+                         PointMap(6)});
     return contact;
   }
   /// Of all four points, about the origin, then a shift.
   static VectorXd rigid_motion(const MovingVertexEdge& motion, double angle, const Vec2& shift) {
     const Mat2 R = Eigen::Rotation2Dd(angle).toRotationMatrix();
-    const RoundedPositions at = motion.start;
+    const RoundedPositions at = motion.start_of_all();
     VectorXd d(8);
     int first = 0;
     for (const Vec2& x : {at.i, at.j, at.k, at.after_i}) {
@@ -64,12 +62,11 @@ TEST_P(RandomContacts, GapAndSlipStayWhenBothBlocksMoveAsOne) {
     const Contact contact = any_contact();
     const double lock = contact.history.lock;
     const VectorXd d = rigid_motion(contact.motion, uniform(-3, 3, random), any(5));
-    const GapAndSlip before = contact.motion.rates_at(contact.motion.start, lock),
+    const GapAndSlip before = contact.motion.rates_at_start(lock),
                      after = contact.motion.gap_and_slip_at(d, lock, Directions::of_end);
     EXPECT_NEAR(after.gap, contact.motion.start_gap(), 1e-13);
     EXPECT_NEAR(after.slip, before.slip, 1e-13);
-    EXPECT_NEAR(before.slip,
-                contact.motion.rates_at(contact.motion.start, 0).slip - lock * contact.edge_length(), 1e-14)
+    EXPECT_NEAR(before.slip, contact.motion.rates_at_start(0).slip - lock * contact.edge_length(), 1e-14)
         << "from the lock point on";
   }
 }
@@ -123,7 +120,7 @@ namespace {
 /// A vertex 0.1 above the middle of an edge of 2 m, or as far as `gap`.
 Contact above_an_edge(double gap = 0.1) {
   Contact contact;
-  contact.motion.start = {{{1, -gap}, {0, 0}, {2, 0}}};
+  contact.motion.start = {{1, -gap}, {0, 0}, {2, 0}};
   contact.history.lock = 0.5;
   contact.size = 1;
   return contact;

@@ -122,8 +122,8 @@ struct RandomProblem {
     const double angle = uniform(0, 6);
     const Vec2 along(std::cos(angle), std::sin(angle)), outwards(along.y(), -along.x());
     const bool touches = uniform(0, 1) < 0.5;
-    contact.motion.start = {
-        {touches ? Vec2(Vec2::Zero()) : Vec2(uniform(0, 1) * outwards), -along / 2, along / 2}};
+    contact.motion.start = {touches ? Vec2(Vec2::Zero()) : Vec2(uniform(0, 1) * outwards), -along / 2,
+                            along / 2};
     contact.motion.i = PointMap(2 * vertex_block);
     if (edge_block > 0) contact.motion.j = contact.motion.k = PointMap(2 * edge_block);
     contact.history.lock = 0.5;

@@ -18,7 +18,7 @@ Contact contact_in(ContactState state, double gap = 0, ContactState at_start = C
   Contact contact;
   contact.pair = {1, 0, 0, 2};
   contact.size = 1;
-  contact.motion.start = {{{0.5, -2e-3}, {0, 0}, {1, 0}}};  // 2 mm apart
+  contact.motion.start = {{0.5, -2e-3}, {0, 0}, {1, 0}};  // 2 mm apart
   contact.history.state = state;
   contact.start_state = at_start;
   contact.gap = gap;
