@@ -52,6 +52,12 @@ void BlockSystem::round_corners(double ratio) {
   }
 }
 
+double BlockSystem::corner_radius(int b, int other) const {
+  double radius = rounded_[b].radius;
+  if (is_movable(other)) radius = std::min(radius, rounded_[other].radius);
+  return radius;
+}
+
 void BlockSystem::set_bolts(std::vector<Bolt> all) {
   bolts = std::move(all);
   int first = 0;

@@ -132,6 +132,9 @@ class BlockSystem : public BlockActions {
   void hide_corner(int b, int vertex) { rounded_[b].corners[vertex].is_hidden = true; }
   bool has_rounded_corners() const { return !rounded_.empty(); }
   const RoundedBlock& rounded(int b) const { return rounded_[b]; }
+  /// Of the corners of block b where it meets another one: that of the smaller of both, held ones not counted, but
+  /// no larger than its own, m.
+  double corner_radius(int b, int other) const;
 
   /// Takes bolts and numbers what the state has of them.
   void set_bolts(std::vector<Bolt> all);

@@ -19,6 +19,18 @@ struct RoundedCorner {
 struct RoundedBlock {
   double radius = 0;
   std::vector<RoundedCorner> corners;
+
+  /// The centre of a smaller circle in a corner.
+  SegmentPoint centre(int v, double of_radius) const {
+    const double part = of_radius / radius;
+    return {part * corners[v].centre.x, part * corners[v].centre.y};
+  }
+  /// How much of the edges beside a corner an arc takes there, m.
+  /// \param[in] length     of the edge after it, m
+  /// \param[in] of_radius  of the arc, m
+  double cut(int v, double length, double of_radius) const {
+    return corners[v].centre.x * length * of_radius / radius;
+  }
 };
 /// \param[in] outline  simple, counter-clockwise
 RoundedBlock round_corners(const PointsRef& outline, double radius);

@@ -133,9 +133,10 @@ struct Contact : ContactRecord {
   bool leaves = false;  ///< goes round a corner at an end of the edge, and does not act in the step
   MovingVertexEdge motion;
   // At the end of the last trial of the step; before one, the gap at its start.
-  double gap = 0;                                  ///< without its offset
-  double gap_change = 0, slip_change = 0;          ///< within the step
-  double straight_before = 0, straight_after = 0;  ///< length of the collinear outline beyond its ends, m
+  double gap = 0;                          ///< without its offset
+  double gap_change = 0, slip_change = 0;  ///< within the step
+  /// Length of the collinear outline beyond its ends, m; < 0: of their arcs, which the edge is without.
+  double straight_before = 0, straight_after = 0;
   double damping = 0;  ///< dashpot over the length of the step: force by change of the gap, N/m per m
   double size = 0;     ///< of the smaller block, held ones not counted, m
 

@@ -57,11 +57,15 @@ void ContactBuilder::find_pairs(const BlockState& state) {
   margins_.resize(keeps_pairs_ ? n : 0);
   for_all(n, [&](int b) {
     outlines_.set(b, blocks_.block(b).outline(state));
-    boxes_[b] = shifted(widened(outlines_[b].box, search_margin_[b]), state.origin.col(b));
+    const double reach = blocks_.has_rounded_corners()
+                             ? std::max(search_margin_[b], blocks_.rounded(b).radius)
+                             : search_margin_[b];
+    boxes_[b] = shifted(widened(outlines_[b].box, reach), state.origin.col(b));
     if (keeps_pairs_) margins_[b] = skin_of_margin * search_margin_[b];
   });
   if (!std::exchange(knows_covered_, true)) find_covered(state);
   nearby_.find(boxes_, margins_, pairs_);
+  if (blocks_.has_rounded_corners()) find_clearances(state);
   const bool any_compliant = properties_.joints.any(&JointStrength::is_compliant);
   std::erase_if(pairs_, [&](const Pair& pair) {
     const auto [a, b] = pair;
@@ -70,6 +74,28 @@ void ContactBuilder::find_pairs(const BlockState& state) {
                                      : blocks_.is_movable(a) || blocks_.is_movable(b);
     return !bears || !blocks_.is_present(a) || !blocks_.is_present(b);
   });
+}
+
+void ContactBuilder::find_clearances(const BlockState& state) {
+  clearances_.assign(static_cast<std::size_t>(state.position.cols()), {});
+  for (const Pair& pair : pairs_)
+    for (const auto& [b, other] : {pair, Pair{pair[1], pair[0]}}) {
+      if (!blocks_.is_present(other)) continue;
+      const Points outline = blocks_.outline_from(state, other, b);
+      const Box near = shifted(widened(outlines_[other].box, blocks_.rounded(b).radius),
+                               state.origin.col(other) - state.origin.col(b));
+      const Range& vertices = blocks_.block(b).vertices();
+      for (int v = 0; v < vertices.count; ++v)
+        if (const Vec2 x = state.position.col(vertices.first + v); touch({x, x}, near))
+          clearances_[vertices.first + v].add(other, distance_from_outline(x, outline));
+    }
+}
+
+double ContactBuilder::met_radius(int b, int v, int by) const {
+  const RoundedCorner& corner = blocks_.rounded(b).corners[v];
+  if (!corner.is_arc || corner.is_hidden) return 0;
+  return std::min(blocks_.corner_radius(b, by),
+                  clearances_[blocks_.block(b).vertices().first + v].without(by));
 }
 
 void ContactBuilder::find_covered(const BlockState& state) {
@@ -151,14 +177,20 @@ void ContactBuilder::find_contacts_of(const Pair& pair, const BlockState& state,
   Outline one{a, start_a, moved_a.leftCols(of_a.count)}, other{b, start_b, moved_b.leftCols(of_b.count)};
   one.sides = outlines_[a];
   other.sides = sides_b;
-  if (!blocks_.has_rounded_corners())
+  if (!blocks_.has_rounded_corners()) {
     find_contacts(one, other, limits, earlier, covered_of(pair), found);
-  else if (const RoundedPolygon round_a{one, blocks_.rounded(a)}, round_b{other, blocks_.rounded(b)};
-           round_b.rounded.radius <
-           round_a.rounded.radius)  // of two corners at one place the first one stays
-    find_rounded_contacts(round_b, round_a, limits, earlier, found);
-  else
-    find_rounded_contacts(round_a, round_b, limits, earlier, found);
+  } else {
+    thread_local std::vector<double> met_a, met_b;
+    met_a.clear();
+    met_b.clear();
+    for (int v = 0; v < of_a.count; ++v) met_a.push_back(met_radius(a, v, b));
+    for (int v = 0; v < of_b.count; ++v) met_b.push_back(met_radius(b, v, a));
+    const RoundedPolygon round_a{one, blocks_.rounded(a), blocks_.corner_radius(a, b), met_a},
+        round_b{other, blocks_.rounded(b), blocks_.corner_radius(b, a), met_b};
+    // Of two corners at one place the first one stays.
+    const bool b_first = round_b.rounded.radius < round_a.rounded.radius;
+    find_rounded_contacts(b_first ? round_b : round_a, b_first ? round_a : round_b, limits, earlier, found);
+  }
   if (any_compliant || blocks_.has_rounded_corners())
     leave_one_a_place(state, previous, found.contacts, first);
   leave_out_idle(pair, state, previous, found.contacts, first);
@@ -224,16 +256,22 @@ Contact ContactBuilder::make_contact(const BlockState& state, const VertexEdge& 
   if (joint.is_compliant() || joint.crushes() || !properties_.edge_joints.empty())
     set_length(state, found, contact);
   contact.history.normal = normal;
-  contact.motion = motion_of(blocks_, state, pair, properties_.inset(contact));
+  const auto met = [&](int v) {
+    return blocks_.has_rounded_corners() ? met_radius(pair.edge_block, v, pair.vertex_block) : 0;
+  };
+  contact.motion =
+      motion_of(blocks_, state, pair, properties_.inset(contact), pair.corner ? met(pair.edge) : 0);
   contact.gap = contact.first_gap().constant;
   const VertexEdgePositions positions = contact.motion.slip_positions();
   contact.history.lock = edge_fraction(positions.i, positions.j, positions.k);
   const PointsRef outline = blocks_.block(pair.edge_block).outline(state);
   const auto sides = outlines_[pair.edge_block].sides;
-  if (sides[pair.edge].corner == Corner::straight)
-    contact.straight_before = straight_length(outline, pair.edge, false);
-  if (sides[next(pair.edge, outline)].corner == Corner::straight)
-    contact.straight_after = straight_length(outline, pair.edge, true);
+  const auto straight = [&](int v, bool after) {
+    if (sides[v].corner == Corner::straight) return straight_length(outline, pair.edge, after);
+    return met(v) > 0 ? -blocks_.rounded(pair.edge_block).cut(v, sides[v].length, met(v)) : 0;
+  };
+  contact.straight_before = straight(pair.edge, false);
+  contact.straight_after = straight(next(pair.edge, outline), true);
   if (pair.corner) contact.straight_before = contact.straight_after = inf;
   contact.size = pair_size(pair.vertex_block, pair.edge_block);
   contact.law = properties_.law(contact);

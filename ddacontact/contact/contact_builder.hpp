@@ -4,6 +4,7 @@
 #include <ddacontact/block/block_system.hpp>
 #include <ddacontact/contact/contact_properties.hpp>
 #include <ddacontact/detection/contact_length.hpp>
+#include <ddacontact/detection/corner_clearance.hpp>
 #include <ddacontact/detection/nearby_pairs.hpp>
 #include <ddacontact/detection/outline_table.hpp>
 
@@ -88,6 +89,10 @@ class ContactBuilder {
                      const std::vector<double>& search_margin, const std::vector<ContactRecord>& previous);
   /// Outlines and boxes of the blocks; the pairs of those that may meet.
   void find_pairs(const BlockState& state);
+  /// How far the corners of blocks are from others, where their arcs reach those.
+  void find_clearances(const BlockState& state);
+  /// Radius with which a block meets the corner v of block b, m: 0 where another one goes on from there.
+  double met_radius(int b, int v, int by) const;
   /// Appends the contacts of a pair, and where they were preferred to others.
   void find_contacts_of(const Pair& pair, const BlockState& state, const VectorXd& motion,
                         std::span<const ContactRecord> previous, FoundContacts& found) const;
@@ -172,6 +177,7 @@ class ContactBuilder {
   std::map<int, std::vector<CoveredPart>> covered_;  ///< of the blocks that have some
   bool knows_covered_ = false;
   NearbyPairs nearby_;
+  std::vector<CornerClearance> clearances_;  ///< of all points, where corners are rounded
   std::vector<Box> boxes_;
   std::vector<double> margins_;
   std::vector<Pair> pairs_;              ///< of blocks that may meet

@@ -7,20 +7,26 @@ namespace ddacontact {
 namespace {
 
 /// Of the pair at these positions.
-Rounding rounding_of(const BlockSystem& blocks, const VertexEdge& pair, const RoundedPositions& positions) {
-  const RoundedBlock& of_vertex = blocks.rounded(pair.vertex_block);
+Rounding rounding_of(const BlockSystem& blocks, const VertexEdge& pair, const RoundedPositions& positions,
+                     double of_corner) {
+  const RoundedBlock &of_vertex = blocks.rounded(pair.vertex_block),
+                     &of_edge = blocks.rounded(pair.edge_block);
   const auto& [i, j, k] = static_cast<const VertexEdgePositions&>(positions);
-  Rounding rounding{
-      .centre = of_vertex.corners[pair.vertex].centre, .radius = of_vertex.radius, .corner = pair.corner};
+  const double radius = blocks.corner_radius(pair.vertex_block, pair.edge_block);
+  Rounding rounding{.centre = of_vertex.centre(pair.vertex, radius), .radius = radius, .corner = pair.corner};
   const Vec2 centre = rounding.centre.at(i, positions.after_i), along = k - j;
   Vec2 normal = Vec2(along.y(), -along.x()).normalized();
   if (pair.corner) {
-    if (centre != j) normal = (centre - j).normalized();
-    const Vec2 half_line = along.norm() / 2 * Vec2(-normal.y(), normal.x());
-    rounding.start = SegmentPoint::that_is_at(j - half_line, j, k);
-    rounding.end = SegmentPoint::that_is_at(j + half_line, j, k);
+    rounding.radius += of_corner;
+    rounding.other_centre = of_edge.centre(pair.edge, of_corner);
+    const Vec2 other = rounding.other_centre.at(j, k);
+    if (centre != other) normal = (centre - other).normalized();
+    const Vec2 middle = other + of_corner * normal,
+               half_line = along.norm() / 2 * Vec2(-normal.y(), normal.x());
+    rounding.start = SegmentPoint::that_is_at(middle - half_line, j, k);
+    rounding.end = SegmentPoint::that_is_at(middle + half_line, j, k);
   }
-  rounding.surface = SegmentPoint::that_is_at(centre - of_vertex.radius * normal, i, positions.after_i);
+  rounding.surface = SegmentPoint::that_is_at(centre - radius * normal, i, positions.after_i);
   return rounding;
 }
 
@@ -65,13 +71,13 @@ void set_maps(const BlockSystem& blocks, const VertexEdge& pair, MovingVertexEdg
 }
 
 MovingVertexEdge motion_of(const BlockSystem& blocks, const BlockState& state, const VertexEdge& pair,
-                           double inset) {
+                           double inset, double of_corner) {
   MovingVertexEdge motion;
   const RoundedPositions start = positions_of(blocks, state, pair);
   motion.start = start;
   if (blocks.has_rounded_corners() || inset > 0)
     motion.rounding = std::make_shared<const MovingRounding>(
-        MovingRounding{blocks.has_rounded_corners() ? rounding_of(blocks, pair, start)
+        MovingRounding{blocks.has_rounded_corners() ? rounding_of(blocks, pair, start, of_corner)
                                                     : inset_of(blocks, state, pair, start, inset),
                        start.after_i});
   set_maps(blocks, pair, motion);

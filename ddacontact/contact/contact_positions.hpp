@@ -12,8 +12,9 @@ RoundedPositions positions_of(const BlockSystem& blocks, const BlockState& state
 /// The pair in motion from a state on.
 /// \param[in] inset  how far from a sharp vertex its forces act, along that edge beside it which lies closest
 ///                   to the other block's, m
+/// \param[in] of_corner  radius of the corner that a rounded vertex meets, m
 MovingVertexEdge motion_of(const BlockSystem& blocks, const BlockState& state, const VertexEdge& pair,
-                           double inset = 0);
+                           double inset = 0, double of_corner = 0);
 
 /// Sets the maps of the pair's points.
 void set_maps(const BlockSystem& blocks, const VertexEdge& pair, MovingVertexEdge& motion);

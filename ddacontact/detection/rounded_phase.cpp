@@ -19,11 +19,15 @@ Box way(const Vec2& start, const Vec2& end) {
 class RoundedOutline {
  public:
   explicit RoundedOutline(const RoundedPolygon& of)
-      : outline_(of.outline), rounded_(of.rounded), n_(static_cast<int>(of.outline.vertices.cols())) {}
+      : outline_(of.outline),
+        rounded_(of.rounded),
+        radius_(of.radius),
+        met_radii_(of.met_radii),
+        n_(static_cast<int>(of.outline.vertices.cols())) {}
 
   int block() const { return outline_.block; }
   int size() const { return n_; }
-  double radius() const { return rounded_.radius; }
+  double radius() const { return radius_; }
   Vec2 vertex(int v, double time) const {
     return (1 - time) * outline_.vertices.col(v) + time * outline_.moved.col(v);
   }
@@ -31,9 +35,12 @@ class RoundedOutline {
   int before(int v) const { return previous(v, outline_.vertices); }
   Vec2 tangent(int e, double time) const { return (vertex(after(e), time) - vertex(e, time)).normalized(); }
   double length(int e, double time) const { return (vertex(after(e), time) - vertex(e, time)).norm(); }
-  Vec2 centre(int v, double time) const {
-    return rounded_.corners[v].centre.at(vertex(v, time), vertex(after(v), time));
-  }
+  Vec2 centre(int v, double time) const { return centre(v, radius_, time); }
+  /// Of the corner as others meet it.
+  double met_radius(int v) const { return met_radii_[v]; }
+  Vec2 met_centre(int v, double time) const { return centre(v, met_radii_[v], time); }
+  /// How much of the edges beside it its arc takes, m.
+  double cut(int v, double time) const { return rounded_.cut(v, length(v, time), met_radii_[v]); }
   /// Around what the motion takes an edge through.
   Box box_of_edge(int e) const {
     return joined(way(vertex(e, 0), vertex(e, 1)), way(vertex(after(e), 0), vertex(after(e), 1)));
@@ -49,20 +56,27 @@ class RoundedOutline {
   }
 
  private:
+  Vec2 centre(int v, double of_radius, double time) const {
+    return rounded_.centre(v, of_radius).at(vertex(v, time), vertex(after(v), time));
+  }
+
   const Outline& outline_;
   const RoundedBlock& rounded_;
+  double radius_;
+  std::span<const double> met_radii_;
   int n_;
 };
 
-/// Of a circle's centre and an edge's line.
+/// Of a circle's centre and an edge's line; `from_end` is from the nearer of the arcs at its ends.
 struct OverEdge {
-  double gap, along, length;
+  double gap, along, length, from_end;
 
   OverEdge(const RoundedOutline& a, int i, const RoundedOutline& b, int e, double time)
       : length(b.length(e, time)) {
     const Vec2 to = a.centre(i, time) - b.vertex(e, time), tangent = b.tangent(e, time);
     gap = -cross(tangent, to) - a.radius();
     along = tangent.dot(to);
+    from_end = std::min(along - b.cut(e, time), length - b.cut(b.after(e), time) - along);
   }
 };
 
@@ -120,13 +134,15 @@ struct CirclesOnOutline {
     // A joint with stiffness may close by more than the radius.
     const double deepest = was_closed(earlier, contact) ? std::max(limits.max_depth, radius) : radius;
     if (over.gap > limits.search_margin || over.gap <= -deepest) return;
-    const double from_end = std::min(over.along, over.length - over.along);
-    if (from_end >= -limits.coincidence) add(contact, from_end);
+    if (over.from_end >= -limits.coincidence) add(contact, over.from_end);
   }
   void add_corner(int i, int j, double time) {
-    const Vec2 apart = a.centre(i, time) - b.vertex(j, time);
-    if (apart.norm() - radius > limits.search_margin || !b.faces(j, apart, time) || !a.faces(i, -apart, time))
+    const Vec2 apart = a.centre(i, time) - b.met_centre(j, time);
+    if (apart.norm() - radius - b.met_radius(j) > limits.search_margin || !b.faces(j, apart, time) ||
+        !a.faces(i, -apart, time))
       return;
+    for (int e : {j, b.before(j)})  // it meets that there
+      if (OverEdge(a, i, b, e, time).from_end >= -limits.coincidence) return;
     add({a.block(), i, b.block(), j, true}, 0);
   }
   void add(const VertexEdge& contact, double from_end) {
@@ -135,10 +151,14 @@ struct CirclesOnOutline {
   }
 };
 
-/// Whether contacts p of a's vertex and q of b's are the same end of two edges that lie on each other.
+/// Whether contacts p of a's vertex and q of b's are the same two arcs, or the same end of two edges that lie on
+/// each other.
 bool are_one_place(const VertexEdge& p, const RoundedOutline& a, const VertexEdge& q, const RoundedOutline& b,
                    double coincidence) {
-  if (p.corner || q.corner || p.vertex_block != a.block() || q.vertex_block != b.block()) return false;
+  if (p.vertex_block != a.block() || q.vertex_block != b.block() || p.corner != q.corner) return false;
+  if (p.corner)
+    return p.vertex == q.edge && q.vertex == p.edge && a.met_radius(p.vertex) == a.radius() &&
+           b.met_radius(q.vertex) == b.radius();
   const auto ends = [](int vertex, int edge, const RoundedOutline& of) {
     return vertex == edge || vertex == of.after(edge);
   };
@@ -152,8 +172,8 @@ bool are_one_place(const VertexEdge& p, const RoundedOutline& a, const VertexEdg
 
 void find_rounded_contacts(const RoundedPolygon& a, const RoundedPolygon& b, const PairLimits& limits,
                            std::span<const EarlierContact> earlier, FoundContacts& found) {
-  assert(std::ssize(a.rounded.corners) == a.outline.vertices.cols() && a.rounded.radius > 0);
-  assert(std::ssize(b.rounded.corners) == b.outline.vertices.cols() && b.rounded.radius > 0);
+  assert(std::ssize(a.rounded.corners) == a.outline.vertices.cols() && a.radius > 0);
+  assert(std::ssize(b.rounded.corners) == b.outline.vertices.cols() && b.radius > 0);
   const RoundedOutline of_a(a), of_b(b);
   std::vector<VertexEdge> met;
   CirclesOnOutline{of_a, of_b, limits, earlier, met, found.choices}.find();

@@ -10,10 +10,13 @@ namespace ddacontact {
 struct RoundedPolygon {
   const Outline& outline;
   const RoundedBlock& rounded;
+  double radius;  ///< of its arcs in this pair, up to that of the block, m
+  /// Radius with which the other one's arcs meet each corner, up to that, m: a corner at which other blocks go on
+  /// is met sharp, so that a flush joint is no groove.
+  std::span<const double> met_radii;
 };
 
-/// Appends the contacts of a pair: arcs of `a` against edges and corners of the sharp outline of `b`, and the
-/// other way round.
+/// Appends the contacts of a pair: arcs of `a` against edges and corners of `b`, and the other way round.
 ///
 /// The centre of an arc is over an edge, or between the normals of a corner that the arc faces: that is what
 /// it meets, and the gap has one normal. It is asked where the predicted motion ends, or, if the arc goes in

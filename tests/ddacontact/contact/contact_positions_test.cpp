@@ -78,6 +78,15 @@ TEST(ContactPositions, RoundedCornersTouchWhereTheirCirclesDo) {
     const VertexEdgePositions line = corner.slip_positions();
     EXPECT_LE(((line.j + line.k) / 2 - corner.start.j).norm(), 1e-9) << "half way at the corner";
     EXPECT_NEAR((line.k - line.j).dot(R * Vec2(r - 5, r)), 0, 1e-8) << "across the line to the centre";
+    // Against the arc there: the line touches both circles.
+    const double of_corner = 0.6 * r, apart = Vec2(5 - r - of_corner, r + of_corner).norm();
+    const MovingVertexEdge arc = motion_of(blocks, built.stepper->state(), {2, 0, 1, 2, true}, 0, of_corner);
+    EXPECT_NEAR(arc.start_gap(), apart - r - of_corner, 1e-9);
+    const VertexEdgePositions at_arc = arc.slip_positions();
+    const Vec2 middle = (at_arc.j + at_arc.k) / 2, away = (at_arc.i - middle).normalized();
+    EXPECT_NEAR((at_arc.i - middle).norm(), apart - r - of_corner, 1e-9);
+    EXPECT_NEAR((at_arc.k - at_arc.j).dot(away), 0, 1e-8);
+    EXPECT_LE((middle - arc.start.j - R * Vec2(-of_corner, -of_corner) - of_corner * away).norm(), 1e-9);
   }
 }
 

@@ -44,6 +44,7 @@ struct RoundedMotion : testing::TestWithParam<bool> {
     if (rounding.corner) {
       rounding.start = {-0.4, -0.3};
       rounding.end = {0.5, -0.1};
+      rounding.other_centre = {0.05, -0.2};
     }
   }
   GapAndSlip at(const RoundedPositions& by, Directions directions = Directions::of_end) const {
@@ -57,7 +58,7 @@ TEST_P(RoundedMotion, GapIsTheDistanceLessTheRadius) {
   const Vec2 i = start.i + by.i, j = start.j + by.j, k = start.k + by.k, next = start.after_i + by.after_i,
              centre = rounding.centre.at(i, next);
   const Vec2 t = (k - j).normalized();
-  const Vec2 other = (rounding.start.at(j, k) + rounding.end.at(j, k)) / 2;
+  const Vec2 other = rounding.other_centre.at(j, k);
   const double distance = GetParam() ? (centre - other).norm() : cross(centre - j, t);
   EXPECT_NEAR(at(by).gap, distance - 0.1, 1e-14);
 }
