@@ -141,7 +141,7 @@ void describe(ContactRecord& r, Visit&& visit) {
             .default_text = "`1e-06`; method \"classic\": `0.0`"},
         r.penetration_tolerance);
   visit(Key{.name = "corner_rounding",
-            .what = "Radius of the corners over the block size; 0: sharp corners.",
+            .what = "Radius of the corners over the size of the smaller block; 0: sharp corners.",
             .bounds = not_negative,
             .default_text = "`0.0`"},
         r.options.corner_rounding);
