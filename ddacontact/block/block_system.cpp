@@ -24,11 +24,7 @@ BlockSystem::BlockSystem(std::vector<std::unique_ptr<Block>> blocks) {
     blocks_.push_back(std::move(block));
   }
   block_of_point_.reserve(static_cast<std::size_t>(n_points));
-  block_of_unknown_.reserve(static_cast<std::size_t>(n_unknowns_));
-  for (int b = 0; b < n_blocks(); ++b) {
-    block_of_point_.insert(block_of_point_.end(), block(b).n_points(), b);
-    block_of_unknown_.insert(block_of_unknown_.end(), block(b).n_unknowns(), b);
-  }
+  for (int b = 0; b < n_blocks(); ++b) block_of_point_.insert(block_of_point_.end(), block(b).n_points(), b);
   const BlockState initial = initial_state();
   start_.position = initial.position;
   start_.origin = initial.origin;
@@ -50,6 +46,12 @@ void BlockSystem::round_corners(double ratio) {
     const double wanted = ratio * block(b).size(), fits = largest_rounding(outline).radius;
     rounded_.push_back(ddacontact::round_corners(outline, wanted < fits ? wanted : fits / 2));
   }
+}
+
+int BlockSystem::block_of_unknown(int unknown) const {
+  assert(unknown >= 0 && unknown < n_unknowns_);
+  const auto end = [](const auto& of) { return of->unknowns().end(); };
+  return static_cast<int>(std::ranges::upper_bound(blocks_, unknown, {}, end) - blocks_.begin());
 }
 
 double BlockSystem::corner_radius(int b, int other) const {

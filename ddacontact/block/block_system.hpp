@@ -128,8 +128,6 @@ class BlockSystem : public BlockActions {
   /// Contacts see corners as arcs of circles of this radius, in parts of each block's size, or of half the
   /// radius that an edge leaves room for where that is less; 0: sharp.
   void round_corners(double ratio);
-  /// See RoundedCorner::is_hidden.
-  void hide_corner(int b, int vertex) { rounded_[b].corners[vertex].is_hidden = true; }
   bool has_rounded_corners() const { return !rounded_.empty(); }
   const RoundedBlock& rounded(int b) const { return rounded_[b]; }
   /// Of the corners of block b where it meets another one: that of the smaller of both, held ones not counted, but
@@ -148,10 +146,7 @@ class BlockSystem : public BlockActions {
     assert(point >= 0 && point < static_cast<int>(block_of_point_.size()));
     return block_of_point_[point];
   }
-  int block_of_unknown(int unknown) const {
-    assert(unknown >= 0 && unknown < static_cast<int>(block_of_unknown_.size()));
-    return block_of_unknown_[unknown];
-  }
+  int block_of_unknown(int unknown) const;
   /// Whether a block has a free unknown.
   bool is_movable(int b) const { return movable_[b]; }
   /// Whether a block has no prescribed unknown.
@@ -251,7 +246,7 @@ class BlockSystem : public BlockActions {
   std::vector<RoundedBlock> rounded_;  ///< empty: corners are sharp
   BlockState start_, zero_;  ///< points and origins alone; zero_ is empty while displacements are counted
                              ///< from the start
-  std::vector<int> block_of_point_, block_of_unknown_;
+  std::vector<int> block_of_point_;
   int n_unknowns_ = 0, n_stress_points_ = 0, n_coordinates_ = 0, n_equations_ = 0;
   std::vector<PrescribedDof> prescribed_dofs_;
   std::vector<int> equation_;

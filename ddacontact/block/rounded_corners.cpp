@@ -25,7 +25,7 @@ RoundedBlock round_corners(const PointsRef& outline, double radius) {
   RoundedBlock rounded{radius, {}};
   for (Index v = 0; v < outline.cols(); ++v) {
     const double cut = radius * cut_of_unit_circle(outline, v), length = edge_length(outline, v);
-    rounded.corners.push_back({{cut / length, radius / length}, cut > 0, false});
+    rounded.corners.push_back({{cut / length, radius / length}, cut > 0});
   }
   return rounded;
 }

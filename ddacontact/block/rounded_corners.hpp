@@ -11,8 +11,6 @@ namespace ddacontact {
 struct RoundedCorner {
   SegmentPoint centre;  ///< of the circle, on the edge from the vertex to the next
   bool is_arc = false;  ///< whether the outline turns left there
-  /// Whether it is inside of several blocks that stay together: it is not looked for.
-  bool is_hidden = false;
 };
 
 /// All corners of a block, with the radius of their circles, m.

@@ -74,8 +74,8 @@ void BlockSystem::Part::take_actions(const BlockSystem& whole) {
     }
   if (whole.fading.forces.size() == 0) return;
   system_.fading = {whole.fading.forces(unknowns_), whole.fading.from, whole.fading.to};
-  for (int u = 0; u < system_.n_unknowns_; ++u)
-    if (is_resting(system_.block_of_unknown_[u])) system_.fading.forces[u] = 0;
+  for (int k = 0; k < system_.n_blocks(); ++k)
+    if (is_resting(k)) system_.block(k).unknowns().of(system_.fading.forces).setZero();
 }
 
 void BlockSystem::Part::take_bolts(const BlockSystem& whole) {

@@ -92,10 +92,9 @@ void ContactBuilder::find_clearances(const BlockState& state) {
 }
 
 double ContactBuilder::met_radius(int b, int v, int by) const {
-  const RoundedCorner& corner = blocks_.rounded(b).corners[v];
-  if (!corner.is_arc || corner.is_hidden) return 0;
-  return std::min(blocks_.corner_radius(b, by),
-                  clearances_[blocks_.block(b).vertices().first + v].without(by));
+  if (!blocks_.rounded(b).corners[v].is_arc) return 0;
+  const CornerClearance& clearance = clearances_[blocks_.block(b).vertices().first + v];
+  return std::min(blocks_.corner_radius(b, by), clearance.without(by));
 }
 
 void ContactBuilder::find_covered(const BlockState& state) {

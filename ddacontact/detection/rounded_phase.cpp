@@ -1,6 +1,7 @@
 #include <ddacontact/detection/rounded_phase.hpp>
 
 #include <ddacontact/detection/corner.hpp>
+#include <ddacontact/detection/directed_edge.hpp>
 
 #include <algorithm>
 #include <cassert>
@@ -16,67 +17,41 @@ Box way(const Vec2& start, const Vec2& end) {
 }
 
 /// A rounded polygon at a moment of its predicted motion.
-class RoundedOutline {
- public:
-  explicit RoundedOutline(const RoundedPolygon& of)
-      : outline_(of.outline),
-        rounded_(of.rounded),
-        radius_(of.radius),
-        met_radii_(of.met_radii),
-        n_(static_cast<int>(of.outline.vertices.cols())) {}
-
-  int block() const { return outline_.block; }
-  int size() const { return n_; }
-  double radius() const { return radius_; }
+struct RoundedOutline : RoundedPolygon {
+  int size() const { return static_cast<int>(outline.vertices.cols()); }
+  int after(int v) const { return next(v, outline.vertices); }
+  int before(int v) const { return previous(v, outline.vertices); }
   Vec2 vertex(int v, double time) const {
-    return (1 - time) * outline_.vertices.col(v) + time * outline_.moved.col(v);
+    return (1 - time) * outline.vertices.col(v) + time * outline.moved.col(v);
   }
-  int after(int v) const { return next(v, outline_.vertices); }
-  int before(int v) const { return previous(v, outline_.vertices); }
-  Vec2 tangent(int e, double time) const { return (vertex(after(e), time) - vertex(e, time)).normalized(); }
-  double length(int e, double time) const { return (vertex(after(e), time) - vertex(e, time)).norm(); }
-  Vec2 centre(int v, double time) const { return centre(v, radius_, time); }
-  /// Of the corner as others meet it.
-  double met_radius(int v) const { return met_radii_[v]; }
-  Vec2 met_centre(int v, double time) const { return centre(v, met_radii_[v], time); }
-  /// How much of the edges beside it its arc takes, m.
-  double cut(int v, double time) const { return rounded_.cut(v, length(v, time), met_radii_[v]); }
+  DirectedEdge edge(int e, double time) const { return {vertex(e, time), vertex(after(e), time)}; }
+  Vec2 centre(int v, double of_radius, double time) const {
+    return rounded.centre(v, of_radius).at(vertex(v, time), vertex(after(v), time));
+  }
+  Vec2 centre(int v, double time) const { return centre(v, radius, time); }
   /// Around what the motion takes an edge through.
   Box box_of_edge(int e) const {
     return joined(way(vertex(e, 0), vertex(e, 1)), way(vertex(after(e), 0), vertex(after(e), 1)));
   }
-  /// Whether the corner has no circle that meets others.
-  bool has_none(int v) const {
-    return rounded_.corners[v].is_hidden || corner_at(outline_.vertices, v) == Corner::reflex;
-  }
   /// Whether a direction from corner v, or from its centre, is between the normals of its edges.
   bool faces(int v, const Vec2& direction, double time) const {
-    return rounded_.corners[v].is_arc && !rounded_.corners[v].is_hidden &&
-           direction.dot(tangent(before(v), time)) > 0 && direction.dot(tangent(v, time)) < 0;
+    return rounded.corners[v].is_arc && direction.dot(edge(before(v), time).tangent) > 0 &&
+           direction.dot(edge(v, time).tangent) < 0;
   }
-
- private:
-  Vec2 centre(int v, double of_radius, double time) const {
-    return rounded_.centre(v, of_radius).at(vertex(v, time), vertex(after(v), time));
-  }
-
-  const Outline& outline_;
-  const RoundedBlock& rounded_;
-  double radius_;
-  std::span<const double> met_radii_;
-  int n_;
 };
 
 /// Of a circle's centre and an edge's line; `from_end` is from the nearer of the arcs at its ends.
 struct OverEdge {
-  double gap, along, length, from_end;
+  double gap, overshoot, from_end;
 
-  OverEdge(const RoundedOutline& a, int i, const RoundedOutline& b, int e, double time)
-      : length(b.length(e, time)) {
-    const Vec2 to = a.centre(i, time) - b.vertex(e, time), tangent = b.tangent(e, time);
-    gap = -cross(tangent, to) - a.radius();
-    along = tangent.dot(to);
-    from_end = std::min(along - b.cut(e, time), length - b.cut(b.after(e), time) - along);
+  OverEdge(const RoundedOutline& a, int i, const RoundedOutline& b, int e, double time) {
+    const DirectedEdge edge = b.edge(e, time);
+    const auto cut = [&](int v) { return b.rounded.cut(v, b.edge(v, time).length, b.met_radii[v]); };
+    const Vec2 centre = a.centre(i, time);
+    const double along = edge.along(centre);
+    gap = edge.gap(centre) - a.radius;
+    overshoot = edge.overshoot(centre);
+    from_end = std::min(along - cut(e), edge.length - cut(b.after(e)) - along);
   }
 };
 
@@ -91,7 +66,7 @@ struct CirclesOnOutline {
   std::span<const EarlierContact> earlier;
   std::vector<VertexEdge>& met;
   std::vector<Choice>& choices;
-  double radius = a.radius();
+  double radius = a.radius;
   std::vector<Box> boxes{};  ///< of b's edges, with how near a centre has to come
   std::vector<int> near{};   ///< edges of b that the circle at hand may come near
 
@@ -102,7 +77,7 @@ struct CirclesOnOutline {
     for (const Box& box : boxes) around = joined(around, box);
     for (int i = 0; i < a.size(); ++i) {
       const Box centre = way(a.centre(i, 0), a.centre(i, 1));
-      if (a.has_none(i) || !touch(centre, around)) continue;
+      if (corner_at(a.outline.vertices, i) == Corner::reflex || !touch(centre, around)) continue;
       near.clear();
       for (int e = 0; e < b.size(); ++e)
         if (touch(centre, boxes[e])) near.push_back(e);
@@ -123,13 +98,13 @@ struct CirclesOnOutline {
       if (start.gap < level || end.gap >= level) continue;
       const double time = (start.gap - level) / (start.gap - end.gap);
       const OverEdge then(a, i, b, e, time);
-      if (then.along >= -radius && then.along <= then.length + radius) earliest = std::min(earliest, time);
+      if (then.overshoot <= radius) earliest = std::min(earliest, time);
     }
     return earliest;
   }
 
   void add_edge(int i, int e, double time) {
-    const VertexEdge contact{a.block(), i, b.block(), e};
+    const VertexEdge contact{a.outline.block, i, b.outline.block, e};
     const OverEdge over(a, i, b, e, time);
     // A joint with stiffness may close by more than the radius.
     const double deepest = was_closed(earlier, contact) ? std::max(limits.max_depth, radius) : radius;
@@ -137,13 +112,13 @@ struct CirclesOnOutline {
     if (over.from_end >= -limits.coincidence) add(contact, over.from_end);
   }
   void add_corner(int i, int j, double time) {
-    const Vec2 apart = a.centre(i, time) - b.met_centre(j, time);
-    if (apart.norm() - radius - b.met_radius(j) > limits.search_margin || !b.faces(j, apart, time) ||
+    const Vec2 apart = a.centre(i, time) - b.centre(j, b.met_radii[j], time);
+    if (apart.norm() - radius - b.met_radii[j] > limits.search_margin || !b.faces(j, apart, time) ||
         !a.faces(i, -apart, time))
       return;
     for (int e : {j, b.before(j)})  // it meets that there
       if (OverEdge(a, i, b, e, time).from_end >= -limits.coincidence) return;
-    add({a.block(), i, b.block(), j, true}, 0);
+    add({a.outline.block, i, b.outline.block, j, true}, 0);
   }
   void add(const VertexEdge& contact, double from_end) {
     met.push_back(contact);
@@ -155,16 +130,17 @@ struct CirclesOnOutline {
 /// each other.
 bool are_one_place(const VertexEdge& p, const RoundedOutline& a, const VertexEdge& q, const RoundedOutline& b,
                    double coincidence) {
-  if (p.vertex_block != a.block() || q.vertex_block != b.block() || p.corner != q.corner) return false;
+  if (p.vertex_block != a.outline.block || q.vertex_block != b.outline.block || p.corner != q.corner)
+    return false;
   if (p.corner)
-    return p.vertex == q.edge && q.vertex == p.edge && a.met_radius(p.vertex) == a.radius() &&
-           b.met_radius(q.vertex) == b.radius();
+    return p.vertex == q.edge && q.vertex == p.edge && a.met_radii[p.vertex] == a.radius &&
+           b.met_radii[q.vertex] == b.radius;
   const auto ends = [](int vertex, int edge, const RoundedOutline& of) {
     return vertex == edge || vertex == of.after(edge);
   };
   if (!ends(q.vertex, p.edge, b) || !ends(p.vertex, q.edge, a)) return false;
-  const Vec2 tangent = b.tangent(p.edge, 1);
-  return std::abs(cross(tangent, a.tangent(q.edge, 1))) <= sin_parallel &&
+  const Vec2 tangent = b.edge(p.edge, 1).tangent;
+  return std::abs(cross(tangent, a.edge(q.edge, 1).tangent)) <= sin_parallel &&
          std::abs(tangent.dot(a.vertex(p.vertex, 1) - b.vertex(q.vertex, 1))) <= coincidence;
 }
 
@@ -174,7 +150,7 @@ void find_rounded_contacts(const RoundedPolygon& a, const RoundedPolygon& b, con
                            std::span<const EarlierContact> earlier, FoundContacts& found) {
   assert(std::ssize(a.rounded.corners) == a.outline.vertices.cols() && a.radius > 0);
   assert(std::ssize(b.rounded.corners) == b.outline.vertices.cols() && b.radius > 0);
-  const RoundedOutline of_a(a), of_b(b);
+  const RoundedOutline of_a{a}, of_b{b};
   std::vector<VertexEdge> met;
   CirclesOnOutline{of_a, of_b, limits, earlier, met, found.choices}.find();
   CirclesOnOutline{of_b, of_a, limits, earlier, met, found.choices}.find();

@@ -79,11 +79,8 @@ class Builder {
     BlockState initial = system.initial_state();
     set_initial(system, initial);
     std::vector<Stage> parts = stages(system);
-    const std::vector<HeldCorner> held = held_corners(system, initial, parts);
-    if (system.has_rounded_corners())
-      for (const HeldCorner& corner : held)
-        if (corner.is_inside()) system.hide_corner(corner.block, corner.vertex);
-    if (auto note = note_on_bent_face(system, initial, held)) built_.notes.push_back(std::move(*note));
+    if (auto note = note_on_bent_face(system, initial, held_corners(system, initial, parts)))
+      built_.notes.push_back(std::move(*note));
     if (auto note = note_on_steep_water(system, initial, parts)) built_.notes.push_back(std::move(*note));
     built_.stepper = std::make_unique<Stepper>(std::move(system), std::move(initial), contact_properties(),
                                                std::move(parts));

@@ -4,14 +4,11 @@
 #include <ddacontact/block/block_system.hpp>
 #include <ddacontact/time/stage.hpp>
 
-#include <numbers>
 #include <vector>
 
 namespace ddacontact {
 
-/// A corner of a held block with others around it. What is free there is the outside of all of them together:
-/// where that is less than half a turn the corner is inside of the rock, and only the bend of its surface is
-/// there to be met.
+/// A corner of a held block with others around it. What is free there is the outside of all of them together.
 struct HeldCorner {
   int block, vertex;  ///< of the block, 0 .. n_vertices - 1
   Vec2 at;
@@ -21,9 +18,6 @@ struct HeldCorner {
   /// whose faces these are.
   Vec2 in, out;
   int in_block, out_block;
-
-  /// Whether the surface bends inwards there, by more than round-off of a drawing.
-  bool is_inside() const { return free < std::numbers::pi - 1e-3; }
 };
 
 /// Those at which two blocks or more meet that are wholly held where they are, and there, in all stages; by

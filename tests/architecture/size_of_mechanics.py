@@ -1,5 +1,5 @@
 """Counts the mechanics: lines of statements, assertions and includes left out, and numbers other than 0, 1, 2 and 1/2 in them, each of which somebody
-chose. Fails when either has grown; what made it smaller lowers the limit.
+chose. Fails when either has grown; what made it smaller lowers the limit, and only a wrong answer that is mended raises it.
 
     size_of_mechanics.py ROOT          prints both
     size_of_mechanics.py ROOT --list   and every such number with its line
@@ -10,7 +10,7 @@ import re
 import sys
 
 FOLDERS = ("block", "classic", "contact", "detection", "equations", "solver", "time")
-MOST_LINES = 12360
+MOST_LINES = 12475
 MOST_NUMBERS = 117
 
 NUMBER = re.compile(r"(?<![\w.])(\d+\.?\d*(?:[eE][-+]?\d+)?|\.\d+(?:[eE][-+]?\d+)?)(?![\w.])")
