@@ -55,9 +55,7 @@ int BlockSystem::block_of_unknown(int unknown) const {
 }
 
 double BlockSystem::corner_radius(int b, int other) const {
-  double radius = rounded_[b].radius;
-  if (is_movable(other)) radius = std::min(radius, rounded_[other].radius);
-  return radius;
+  return is_movable(other) ? std::min(rounded_[b].radius, rounded_[other].radius) : rounded_[b].radius;
 }
 
 void BlockSystem::set_bolts(std::vector<Bolt> all) {

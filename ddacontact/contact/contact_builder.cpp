@@ -57,9 +57,8 @@ void ContactBuilder::find_pairs(const BlockState& state) {
   margins_.resize(keeps_pairs_ ? n : 0);
   for_all(n, [&](int b) {
     outlines_.set(b, blocks_.block(b).outline(state));
-    const double reach = blocks_.has_rounded_corners()
-                             ? std::max(search_margin_[b], blocks_.rounded(b).radius)
-                             : search_margin_[b];
+    double reach = search_margin_[b];
+    if (blocks_.has_rounded_corners()) reach = std::max(reach, blocks_.rounded(b).radius);
     boxes_[b] = shifted(widened(outlines_[b].box, reach), state.origin.col(b));
     if (keeps_pairs_) margins_[b] = skin_of_margin * search_margin_[b];
   });
@@ -80,19 +79,17 @@ void ContactBuilder::find_clearances(const BlockState& state) {
   clearances_.assign(static_cast<std::size_t>(state.position.cols()), {});
   for (const Pair& pair : pairs_)
     for (const auto& [b, other] : {pair, Pair{pair[1], pair[0]}}) {
-      if (!blocks_.is_present(other)) continue;
-      const Points outline = blocks_.outline_from(state, other, b);
       const Box near = shifted(widened(outlines_[other].box, blocks_.rounded(b).radius),
                                state.origin.col(other) - state.origin.col(b));
       const Range& vertices = blocks_.block(b).vertices();
-      for (int v = 0; v < vertices.count; ++v)
-        if (const Vec2 x = state.position.col(vertices.first + v); touch({x, x}, near))
-          clearances_[vertices.first + v].add(other, distance_from_outline(x, outline));
+      for (int v = vertices.first; v < vertices.end(); ++v)
+        if (const Vec2 x = state.position.col(v); blocks_.is_present(other) && touch({x, x}, near))
+          clearances_[v].add(other, distance_to_outline(x, blocks_.outline_from(state, other, b)));
     }
 }
 
 double ContactBuilder::met_radius(int b, int v, int by) const {
-  if (!blocks_.rounded(b).corners[v].is_arc) return 0;
+  if (!blocks_.has_rounded_corners() || !blocks_.rounded(b).corners[v].is_arc) return 0;
   const CornerClearance& clearance = clearances_[blocks_.block(b).vertices().first + v];
   return std::min(blocks_.corner_radius(b, by), clearance.without(by));
 }
@@ -255,9 +252,7 @@ Contact ContactBuilder::make_contact(const BlockState& state, const VertexEdge& 
   if (joint.is_compliant() || joint.crushes() || !properties_.edge_joints.empty())
     set_length(state, found, contact);
   contact.history.normal = normal;
-  const auto met = [&](int v) {
-    return blocks_.has_rounded_corners() ? met_radius(pair.edge_block, v, pair.vertex_block) : 0;
-  };
+  const auto met = [&](int v) { return met_radius(pair.edge_block, v, pair.vertex_block); };
   contact.motion =
       motion_of(blocks_, state, pair, properties_.inset(contact), pair.corner ? met(pair.edge) : 0);
   contact.gap = contact.first_gap().constant;

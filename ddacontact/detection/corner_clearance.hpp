@@ -26,7 +26,9 @@ class CornerClearance {
   int block_ = -1;
 };
 
-/// Distance of a point from the nearest point of a polygon's outline, m.
-double distance_from_outline(const Vec2& point, const PointsRef& outline);
+/// From a point to the nearest one of the edge from `start` to `end`, m.
+double distance_to_edge(const Vec2& point, const Vec2& start, const Vec2& end);
+/// From a point to the nearest one of an outline, m; also from inside.
+double distance_to_outline(const Vec2& point, const PointsRef& outline);
 
 }  // namespace ddacontact

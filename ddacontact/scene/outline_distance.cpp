@@ -21,21 +21,6 @@ bool edges_meet(const PointsRef& a, const PointsRef& b) {
 
 }  // namespace
 
-double distance_to_edge(const Vec2& point, const Vec2& start, const Vec2& end) {
-  const Vec2 edge = end - start;
-  const double square = edge.squaredNorm(),
-               along = square > 0 ? std::clamp(edge.dot(point - start) / square, 0.0, 1.0) : 0;
-  return (start + along * edge - point).norm();
-}
-
-double distance_to_outline(const Vec2& point, const PointsRef& polygon) {
-  double nearest = std::numeric_limits<double>::infinity();
-  for (Index k = 0; k < polygon.cols(); ++k)
-    nearest =
-        std::min(nearest, distance_to_edge(point, polygon.col(k), polygon.col((k + 1) % polygon.cols())));
-  return nearest;
-}
-
 double distance_between(const PointsRef& a, const PointsRef& b) {
   if (polyfem::contains(a, b.col(0)) || polyfem::contains(b, a.col(0)) || edges_meet(a, b)) return 0;
   double nearest = std::numeric_limits<double>::infinity();

@@ -4,7 +4,6 @@
 #include <ddacontact/block/rigid_velocity.hpp>
 #include <ddacontact/contact/contact_positions.hpp>
 #include <ddacontact/core/disjoint_sets.hpp>
-#include <ddacontact/detection/corner.hpp>
 #include <ddacontact/time/free_flight.hpp>
 #include <ddacontact/time/impact_criteria.hpp>
 #include <ddacontact/time/rigid_velocities.hpp>
@@ -130,27 +129,12 @@ class Flight : ImpactStep {
     const bool stays = contact.is_on_edge(at_start.slip) &&
                        std::abs(slip - at_start.slip) <= ContactProperties::default_lip * contact.size;
     if (!contact.closed() && !closes && !stays && !contact.is_on_edge(slip)) return {};
-    if (!contact.closed() && passes_corner(contact, positions_after(contact, since + time))) return {};
+    if (passes_corner(blocks, start_, contact, positions_after(contact, since + time), properties.lip))
+      return {};
     const double approach =
         motion.is_at_corner() ? -(apart + time * passing).normalized().dot(passing) : -(rate + time * growth);
     if (approach <= least_approach(blocks, contact, dt)) return {};
     return {since + time, approach};
-  }
-
-  /// Whether a vertex that meets an edge near its end is flush with the next one there: behind its line by no more
-  /// than the lip, and in front of it with both of its own sides. It passes, as in the solution of a step.
-  bool passes_corner(const Contact& contact, const RoundedPositions& at) const {
-    if (properties.lip == inf || contact.motion.rounding) return false;
-    const PointsRef own = blocks.block(contact.pair.vertex_block).outline(start_),
-                    other = blocks.block(contact.pair.edge_block).outline(start_);
-    const int vertex = contact.pair.vertex, edge = contact.pair.edge;
-    const bool at_end = (at.i - at.j).squaredNorm() > (at.i - at.k).squaredNorm();
-    const int beside = at_end ? next(edge, other) : previous(edge, other);
-    if (corner_at(other, at_end ? beside : edge) != Corner::convex) return false;
-    const Vec2 side = along(other, beside).normalized(), outwards(side.y(), -side.x());
-    const auto is_in_front = [&](const Vec2& to) { return outwards.dot(to) >= -sin_parallel * to.norm(); };
-    return outwards.dot(at.i - (at_end ? at.k : at.j)) >= -properties.lip * contact.size &&
-           is_in_front(along(own, vertex)) && is_in_front(-along(own, previous(vertex, own)));
   }
 
   bool turns(const VertexEdge& pair) const {
